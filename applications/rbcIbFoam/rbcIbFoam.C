@@ -1,0 +1,105 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+-------------------------------------------------------------------------------
+Application
+    rbcIbFoam
+
+Group
+    grpIncompressibleSolvers
+
+Description
+    Incompressible flow with deformable particles (red blood cells, capsules,
+    fibres), resolved by the mesh: PISO with direct forcing in the solid
+    fraction of the clumps.
+
+    Controls in system/fvSolution, PISO: nOuterCorrectors (1: PISO),
+    nCorrectors, nNonOrthogonalCorrectors, consistent, momentumPredictor.
+    With nu dt/dx^2 above about 10 set consistent yes.
+
+    Without a fluid (no constant/transportProperties) the clumps move alone.
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "singlePhaseTransportModel.H"
+#include "turbulentTransportModel.H"
+#include "pimpleControl.H"
+#include "fvOptions.H"
+#include "deformableCloud.H"
+#include "stepReport.H"
+
+int main(int argc, char* argv[])
+{
+    argList::addNote
+    (
+        "Incompressible flow with resolved deformable particles"
+    );
+
+    #define CREATE_CONTROL createPressureControl.H
+    #include "postProcess.H"
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    deformableCloud cells(mesh);
+    effects& active = cells.activeEffects();
+
+    if (!cells.wet())
+    {
+        #include "dryLoop.H"
+        return 0;
+    }
+
+    #include "createPressureControl.H"
+    #include "createTimeControls.H"
+    #include "createFields.H"
+    const auto& nu = mesh.lookupObject<volScalarField>("nu");
+
+    stepReport report(runTime, cells);
+    #include "flowNumbers.H"
+    active.printTable(Info);
+
+    Info<< "Starting time loop" << nl << endl;
+
+    while (runTime.run())
+    {
+        #include "readTimeControls.H"
+        #include "flowNumbers.H"
+        #include "setDeltaT.H"
+
+        ++runTime;
+        report.beginStep(CoNum, viscousNum);
+
+        cells.immerse(nu, p.needReference());
+
+        {
+            const effects::timer t(active, "flow");
+
+            while (piso.loop())
+            {
+                #include "UEqn.H"
+
+                while (piso.correct())
+                {
+                    #include "pEqn.H"
+                }
+
+                laminarTransport.correct();
+                turbulence->correct();
+            }
+
+            fvOptions.correct(U);
+        }
+
+        cells.evolve(U, p, nu);
+
+        {
+            const effects::timer t(active, "write");
+            runTime.write();
+        }
+        report.endStep();
+    }
+
+    report.end();
+    return 0;
+}

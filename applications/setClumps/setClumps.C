@@ -1,0 +1,41 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+-------------------------------------------------------------------------------
+Application
+    setClumps
+
+Group
+    grpPreProcessingUtilities
+
+Description
+    Places the clumps of constant/clumpProperties, placement (a list, a lattice
+    or a random packing to a haematocrit), and writes them to the start time,
+    so that decomposePar can share them out and ParaView can show them.
+    Clumps already there are replaced.
+
+    rbcIbFoam places the clumps by itself where the start time has none.
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "deformableCloud.H"
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Place the clumps of constant/clumpProperties");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    rmDir(runTime.timePath()/cloud::prefix/"clumps");
+
+    const deformableCloud cells(mesh);
+    cells.write();
+
+    Info<< "Wrote " << cells.nClumps() << " clumps to "
+        << runTime.timeName()/cloud::prefix/cells.name() << nl
+        << "End" << nl << endl;
+
+    return 0;
+}

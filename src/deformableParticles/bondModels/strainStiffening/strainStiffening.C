@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "strainStiffening.H"
+
+namespace Foam
+{
+namespace bondModels
+{
+    defineTypeNameAndDebug(strainStiffening, 0);
+    addToRunTimeSelectionTable(bondModel, strainStiffening, dictionary);
+}
+}
+
+
+Foam::bondModels::strainStiffening::strainStiffening(const dictionary& dict)
+:
+    bondModel(dict),
+    b_(getNonNegative(dict, "stiffening"))
+{}
+
+
+Foam::scalar Foam::bondModels::strainStiffening::force
+(
+    const scalar a,
+    const scalar length
+) const
+{
+    return a*Foam::exp(b_*a/(length + a));
+}
+
+
+Foam::bondModel::axialResponse Foam::bondModels::strainStiffening::axial
+(
+    const scalar a,
+    const scalar length,
+    const scalar Kn
+) const
+{
+    if (a <= 0)
+    {
+        return bondModel::axial(a, length, Kn);
+    }
+
+    // Gauss-Legendre with five points on [0, a]
+    static const scalar node[5] =
+    {
+        0.046910077030668, 0.230765344947158, 0.5,
+        0.769234655052842, 0.953089922969332
+    };
+    static const scalar weight[5] =
+    {
+        0.118463442528095, 0.239314335249683, 0.284444444444444,
+        0.239314335249683, 0.118463442528095
+    };
+
+    scalar energy = 0;
+    for (label g = 0; g < 5; ++g)
+    {
+        energy += weight[g]*a*force(node[g]*a, length);
+    }
+
+    const scalar growth = Foam::exp(b_*a/(length + a));
+
+    return
+    {
+        Kn*a*growth,
+        Kn*growth*(1 + b_*a*length/sqr(length + a)),
+        Kn*energy
+    };
+}

@@ -1,0 +1,371 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "deformableCloud.H"
+#include "sphereGrid.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(deformableCloud, 0);
+}
+
+
+Foam::vectorField Foam::deformableCloud::imposedSpins
+(
+    const clumpParcel& p
+) const
+{
+    if (!rotationModel_.valid() || type(p).fixed())
+    {
+        return vectorField(type(p).size(), Zero);
+    }
+    return rotationModel_->spins(type(p), p.state());
+}
+
+
+void Foam::deformableCloud::immerse
+(
+    const volScalarField& nu,
+    const bool closed
+)
+{
+    {
+        const effects::timer t(effects_, "ghosts");
+        ghosts_.update(*this);
+    }
+    const effects::timer t(effects_, "solid fraction");
+    immersedBoundary_->update(ghosts_.images(), nu, closed);
+}
+
+
+void Foam::deformableCloud::evolve
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
+    mu_ = rho_*gMax(nu.primitiveField());
+    gatherForces(U, p, nu);
+    evolve();
+}
+
+
+void Foam::deformableCloud::evolve()
+{
+    if (!wet())
+    {
+        const effects::timer t(effects_, "ghosts");
+        ghosts_.update(*this);
+    }
+    decideEffects();
+    advance(mesh_.time().deltaTValue());
+    moveParcels();
+    effects_.endStep();
+}
+
+
+void Foam::deformableCloud::gatherForces
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
+    const effects::timer t(effects_, "force integral");
+
+    immersedBoundary_->integrate(U, p, nu, rho_, ghosts_.images());
+    ghosts_.returnForces();
+
+    label index = 0;
+    for (clumpParcel& parcel : *this)
+    {
+        const clumpImage& image = ghosts_.images()[index++];
+        parcel.fluidForces() = image.force;
+        parcel.fluidTorques() = Zero;
+
+        rotationModel_->transpose
+        (
+            type(parcel),
+            parcel.state(),
+            image.torque,
+            parcel.fluidForces(),
+            parcel.fluidTorques()
+        );
+    }
+}
+
+
+Foam::integrator::externals Foam::deformableCloud::steadyForces
+(
+    const clumpParcel& parcel,
+    const scalar dt
+) const
+{
+    const clumpType& ct = type(parcel);
+    const clumpState& s = parcel.state();
+    integrator::externals ext(ct.size());
+
+    if (effects_.active("gravity"))
+    {
+        ext.f += (ct.masses() - rho_*ct.volumes())*g_;
+    }
+
+    if (wet())
+    {
+        ext.f += parcel.fluidForces();
+        ext.t += parcel.fluidTorques();
+        ext.zeta = exchangeModel_->coefficients(ct, mu_, rho_, dt);
+        ext.zetaR = 0.4*ext.zeta*sqr(ct.radii());
+        ext.u0 = s.u;
+        ext.w0 = s.w;
+
+        if (immersedBoundary_->addsInteriorInertia())
+        {
+            ext.f += rho_*ct.volumes()*s.a;
+            ext.t += 0.4*rho_*ct.volumes()*sqr(ct.radii())*s.b;
+        }
+    }
+
+    return ext;
+}
+
+
+void Foam::deformableCloud::addContacts
+(
+    List<integrator::externals>& ext
+) const
+{
+    const effects::timer t(effects_, "contact");
+    const UList<clumpImage>& images = ghosts_.images();
+
+    sphereGrid::forEachContact
+    (
+        images, ghosts_.nOwn(), types_,
+        [&](const label a, const label i, const label b, const label j)
+        {
+            const clumpType& ta = types_[images[a].typeId];
+            const clumpType& tb = types_[images[b].typeId];
+            const vector d(images[a].x[i] - images[b].x[j]);
+            const scalar distance = mag(d);
+
+            // Coincident centres have no direction to part in
+            if (distance > SMALL*ta.radii()[i])
+            {
+                const vector n(d/distance);
+                ext[a].f[i] += n*contactModel_->force
+                (
+                    ta.radii()[i] + tb.radii()[j] - distance,
+                    (images[b].u[j] - images[a].u[i]) & n,
+                    ta.radii()[i],
+                    tb.radii()[j],
+                    ta.masses()[i],
+                    tb.masses()[j]
+                );
+            }
+        }
+    );
+}
+
+
+void Foam::deformableCloud::addWalls(List<integrator::externals>& ext) const
+{
+    const effects::timer t(effects_, "walls");
+
+    label index = 0;
+    for (const clumpParcel& parcel : *this)
+    {
+        const clumpType& ct = type(parcel);
+        const pointField centres(parcel.centres());
+
+        forAll(centres, i)
+        {
+            for (const auto& c : walls_->contacts(centres[i], ct.radii()[i]))
+            {
+                ext[index].f[i] += c.normal*wallContactModel_->force
+                (
+                    c.overlap,
+                    -(parcel.state().u[i] & c.normal),
+                    ct.radii()[i],
+                    ct.masses()[i]
+                );
+                ext[index].k[i] +=
+                    wallContactModel_->stiffness(c.overlap, ct.radii()[i])
+                   *sqr(c.normal);
+            }
+        }
+        ++index;
+    }
+}
+
+
+Foam::label Foam::deformableCloud::contactSubSteps
+(
+    const List<integrator::externals>& ext,
+    const scalar dt
+) const
+{
+    // Contacts between clumps are explicit: a sub-step h is stable while
+    // m/h^2 + zeta/h exceeds twice the stiffness
+    label nSub = 1;
+    const UList<clumpImage>& images = ghosts_.images();
+
+    sphereGrid::forEachContact
+    (
+        images, ghosts_.nOwn(), types_,
+        [&](const label a, const label i, const label b, const label j)
+        {
+            const clumpType& ta = types_[images[a].typeId];
+            const clumpType& tb = types_[images[b].typeId];
+            const scalar overlap =
+                ta.radii()[i] + tb.radii()[j]
+              - mag(images[a].x[i] - images[b].x[j]);
+
+            const scalar k =
+                4*contactModel_->stiffness
+                (
+                    overlap, ta.radii()[i], tb.radii()[j]
+                );
+            const scalar m = min(ta.masses()[i], tb.masses()[j]);
+            const scalar z = ext[a].zeta[i];
+            const scalar h = (z + Foam::sqrt(sqr(z) + 4*k*m))/(2*k);
+
+            nSub = max(nSub, label(min(std::ceil(dt/h), scalar(1000000))));
+        }
+    );
+
+    return returnReduce(nSub, maxOp<label>());
+}
+
+
+void Foam::deformableCloud::advance(const scalar dt)
+{
+    const label n = size();
+    List<integrator::externals> steady(n);
+    List<clumpState> start(n);
+
+    label index = 0;
+    for (const clumpParcel& parcel : *this)
+    {
+        start[index] = parcel.state();
+        steady[index++] = steadyForces(parcel, dt);
+    }
+
+    const bool touching = effects_.active("contact");
+    const label nSub = touching ? contactSubSteps(steady, dt) : 1;
+    const scalar h = dt/nSub;
+
+    for (label sub = 0; sub < nSub; ++sub)
+    {
+        if (sub)
+        {
+            ghosts_.update(*this);
+        }
+
+        List<integrator::externals> ext(steady);
+
+        index = 0;
+        for (const clumpParcel& parcel : *this)
+        {
+            for (const load& l : loads_)
+            {
+                if (l.clumpType() == type(parcel).name())
+                {
+                    l.add
+                    (
+                        mesh_.time().value() - dt + (sub + 1)*h,
+                        parcel.centres(),
+                        ext[index]
+                    );
+                }
+            }
+            ++index;
+        }
+        if (touching)
+        {
+            addContacts(ext);
+        }
+        if (effects_.active("walls"))
+        {
+            addWalls(ext);
+        }
+
+        const effects::timer t(effects_, "clumps");
+        index = 0;
+        for (clumpParcel& parcel : *this)
+        {
+            if (!type(parcel).fixed())
+            {
+                integrator_->advance
+                (
+                    type(parcel), ext[index], h, parcel.state()
+                );
+            }
+            ++index;
+        }
+    }
+
+    index = 0;
+    for (clumpParcel& parcel : *this)
+    {
+        clumpState& s = parcel.state();
+        s.a = (s.u - start[index].u)/dt;
+        s.b = (s.w - start[index].w)/dt;
+        ++index;
+    }
+}
+
+
+void Foam::deformableCloud::moveParcels()
+{
+    const effects::timer t(effects_, "clumps");
+
+    for (clumpParcel& parcel : *this)
+    {
+        parcel.recentre(type(parcel));
+    }
+
+    clumpParcel::trackingData td(*this);
+    Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
+
+    nClumps_ = returnReduce(size(), sumOp<label>());
+}
+
+
+Foam::scalar Foam::deformableCloud::maxSpeed() const
+{
+    scalar result = 0;
+    for (const clumpParcel& p : *this)
+    {
+        result = max(result, max(mag(p.state().u)));
+    }
+    return returnReduce(result, maxOp<scalar>());
+}
+
+
+void Foam::deformableCloud::writeFields() const
+{
+    clumpParcel::writeFields(*this);
+}
+
+
+void Foam::deformableCloud::writeObjects(objectRegistry& obr) const
+{
+    IOField<label>& typeIds(cloud::createIOField<label>("typeId", size(), obr));
+    IOField<vector>& U(cloud::createIOField<vector>("U", size(), obr));
+    IOField<point>& position
+    (
+        cloud::createIOField<point>("position", size(), obr)
+    );
+
+    label i = 0;
+    for (const clumpParcel& p : *this)
+    {
+        typeIds[i] = p.typeId();
+        U[i] = p.state().velocity(type(p));
+        position[i] = p.position();
+        ++i;
+    }
+}

@@ -1,0 +1,362 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "deformableCloud.H"
+#include "placement.H"
+#include "treeDataCell.H"
+#include "uniformDimensionedFields.H"
+
+namespace
+{
+
+//- Constructed before the cloud's other members, which need it
+Foam::IOobject clumpPropertiesIO(const Foam::fvMesh& mesh)
+{
+    return Foam::IOobject
+    (
+        "clumpProperties",
+        mesh.time().constant(),
+        mesh,
+        Foam::IOobject::MUST_READ,
+        Foam::IOobject::NO_WRITE
+    );
+}
+
+}
+
+
+Foam::deformableCloud::deformableCloud(const fvMesh& mesh, const word& name)
+:
+    Cloud<clumpParcel>(mesh, name, false),
+    mesh_(mesh),
+    dict_(clumpPropertiesIO(mesh)),
+    effects_(dict_),
+    ghosts_(mesh),
+    integrator_(selectModel<integrator>(dict_.subDict("integrator"))),
+    contactModel_(selectModel<contactModel>(dict_.subDict("contactModel"))),
+    wallContactModel_
+    (
+        selectModel<wallContactModel>(dict_.subDict("wallContactModel"))
+    ),
+    rho_(0),
+    mu_(0),
+    g_(Zero),
+    nClumps_(0),
+    wallClearance_(0)
+{
+    readTypes();
+    readLoads();
+
+    g_ = uniformDimensionedVectorField
+    (
+        IOobject("g", mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT),
+        dimensionedVector(dimAcceleration, Zero)
+    ).value();
+
+    if (effects_.automatic("fluid"))
+    {
+        const bool found = IOobject
+        (
+            "transportProperties", mesh.time().constant(), mesh
+        ).typeHeaderOk<IOdictionary>(false);
+
+        effects_.decide
+        (
+            "fluid",
+            found,
+            found
+          ? "constant/transportProperties is there"
+          : "no constant/transportProperties"
+        );
+    }
+
+    if (effects_.active("fluid"))
+    {
+        rho_ = dimensionedScalar
+        (
+            "rho",
+            dimDensity,
+            IOdictionary
+            (
+                IOobject
+                (
+                    "transportProperties", mesh.time().constant(), mesh,
+                    IOobject::MUST_READ, IOobject::NO_WRITE, false
+                )
+            )
+        ).value();
+
+        rotationModel_ = selectModel<rotationModel>(dict_.subDict("rotation"));
+        exchangeModel_ = selectModel<exchangeModel>(dict_.subDict("exchange"));
+        immersedBoundary_.reset
+        (
+            new immersedBoundary
+            (
+                mesh, types_, dict_.subDict("immersedBoundary")
+            )
+        );
+    }
+    else
+    {
+        effects_.decide("convection", false, "no fluid");
+    }
+
+    // Clumps of the start time, or placed anew
+    nClumps_ = returnReduce(size(), sumOp<label>());
+    if (nClumps_)
+    {
+        clumpParcel::readFields(*this);
+    }
+    else if (dict_.found("placement"))
+    {
+        place();
+    }
+
+    for (const clumpParcel& p : *this)
+    {
+        if (p.typeId() < 0 || p.typeId() >= types_.size())
+        {
+            FatalErrorInFunction
+                << "Clump " << p.origId() << " has type " << p.typeId()
+                << ", but " << dict_.objectPath() << " lists "
+                << types_.size() << " types" << exit(FatalError);
+        }
+    }
+
+    ghosts_.update(*this);
+    decideEffects();
+}
+
+
+void Foam::deformableCloud::readTypes()
+{
+    const dictionary& types = dict_.subDict("types");
+    const wordList names(types.toc());
+    types_.setSize(names.size());
+
+    forAll(names, i)
+    {
+        types_.set(i, new clumpType(names[i], types.subDict(names[i])));
+        typeIds_.insert(names[i], i);
+    }
+}
+
+
+void Foam::deformableCloud::readLoads()
+{
+    if (!dict_.found("loads"))
+    {
+        return;
+    }
+
+    const dictionary& loads = dict_.subDict("loads");
+    for (const word& name : loads.toc())
+    {
+        const dictionary& d = loads.subDict(name);
+        loads_.append(selectModel<load>(d));
+
+        const word& on = loads_.last().clumpType();
+        if (!typeIds_.found(on))
+        {
+            FatalIOErrorInLookup(d, "clumpType", on, typeIds_)
+                << exit(FatalIOError);
+        }
+        loads_.last().check(types_[typeIds_[on]].size());
+    }
+}
+
+
+bool Foam::deformableCloud::inMesh(const point& p) const
+{
+    bool found = false;
+    for (const vector& shift : ghosts_.shifts())
+    {
+        const point image(p + shift);
+        found =
+            found
+         || (ghosts_.localBox().contains(image) && mesh_.findCell(image) >= 0);
+    }
+    return returnReduce(found, orOp<bool>());
+}
+
+
+void Foam::deformableCloud::place()
+{
+    const dictionary& dict = dict_.subDict("placement");
+    const placement start(dict, types_, typeIds_);
+
+    // Bounds of the processors' cell trees are built together
+    mesh_.cellTree();
+
+    forAll(start.clumps(), k)
+    {
+        const placement::placed& p = start.clumps()[k];
+
+        const label celli =
+            ghosts_.localBox().contains(p.position)
+          ? mesh_.findCell(p.position) : -1;
+
+        // On a boundary between processors the first one takes it
+        label proci = celli >= 0 ? Pstream::myProcNo() : labelMax;
+        reduce(proci, minOp<label>());
+
+        if (proci == labelMax)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry position: clump " << k << " of type "
+                << types_[p.typeId].name() << " at " << p.position
+                << " lies outside the mesh" << exit(FatalIOError);
+        }
+        forAll(p.state.x, i)
+        {
+            if (!inMesh(p.position + p.state.x[i]))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry position: sphere " << i << " of clump " << k
+                    << " of type " << types_[p.typeId].name() << " at "
+                    << p.position + p.state.x[i] << " lies outside the mesh"
+                    << exit(FatalIOError);
+            }
+        }
+
+        if (proci == Pstream::myProcNo())
+        {
+            addParticle
+            (
+                new clumpParcel(mesh_, p.position, celli, p.typeId, p.state)
+            );
+
+            // The number in the list, however the mesh is decomposed
+            clumpParcel& parcel = *last();
+            parcel.origProc() = 0;
+            parcel.origId() = k;
+        }
+    }
+
+    nClumps_ = start.clumps().size();
+    Info<< "Placed " << nClumps_ << " clumps" << endl;
+}
+
+
+void Foam::deformableCloud::decideEffects()
+{
+    if (effects_.automatic("gravity"))
+    {
+        scalar excess = 0;
+        for (const clumpType& ct : types_)
+        {
+            excess = max(excess, mag(ct.mass() - rho_*ct.volume())/ct.mass());
+        }
+        const bool on = mag(g_) > 0 && excess > 1e-6;
+        effects_.decide
+        (
+            "gravity",
+            on,
+            mag(g_) == 0 ? "no gravity in constant/g"
+          : on ? "densities differ" : "equal densities"
+        );
+    }
+
+    if (effects_.automatic("contact"))
+    {
+        if (!contactModel_->active())
+        {
+            effects_.decide("contact", false, "contactModel none");
+        }
+        else if (nClumps_ < 2 && ghosts_.images().size() == ghosts_.nOwn())
+        {
+            effects_.decide("contact", false, "one clump in the domain");
+        }
+        else
+        {
+            // Boxes meet, or may meet within this step
+            const UList<clumpImage>& images = ghosts_.images();
+            bool near = false;
+            for (label a = 0; a < ghosts_.nOwn() && !near; ++a)
+            {
+                const scalar margin =
+                    2*max(mag(images[a].u))*mesh_.time().deltaTValue();
+                boundBox box(images[a].box);
+                box.min() -= margin*vector::one;
+                box.max() += margin*vector::one;
+                forAll(images, b)
+                {
+                    near = near || (b != a && box.overlaps(images[b].box));
+                }
+            }
+            reduce(near, orOp<bool>());
+            effects_.decide
+            (
+                "contact", near, near ? "clumps are near" : "no clumps are near"
+            );
+        }
+    }
+
+    decideWalls();
+}
+
+
+void Foam::deformableCloud::decideWalls()
+{
+    if (!effects_.automatic("walls"))
+    {
+        if (effects_.active("walls") && !walls_.valid())
+        {
+            walls_.reset(new wallSurface(mesh_, ghosts_));
+        }
+        return;
+    }
+    if (!wallContactModel_->active())
+    {
+        effects_.decide("walls", false, "wallContactModel none");
+        return;
+    }
+
+    // Measured anew only when a clump may have come near since
+    wallClearance_ -= maxSpeed()*mesh_.time().deltaTValue();
+    if (walls_.valid() && wallClearance_ > 0)
+    {
+        return;
+    }
+    if (!walls_.valid())
+    {
+        walls_.reset(new wallSurface(mesh_, ghosts_));
+    }
+
+    scalar gap = GREAT;
+    scalar radius = 0;
+    for (const clumpParcel& p : *this)
+    {
+        if (type(p).fixed())
+        {
+            continue;
+        }
+        const pointField centres(p.centres());
+        forAll(centres, i)
+        {
+            const scalar r = type(p).radii()[i];
+            gap = min(gap, walls_->distance(centres[i], 100*r) - r);
+            radius = max(radius, r);
+        }
+    }
+    reduce(gap, minOp<scalar>());
+    reduce(radius, maxOp<scalar>());
+
+    const bool near = gap < 0.5*radius;
+    wallClearance_ = near ? 0 : gap - 0.5*radius;
+
+    OStringStream reason;
+    if (gap > 98*radius)
+    {
+        reason << "none near";
+    }
+    else
+    {
+        // Two digits: the number is for people
+        reason.precision(2);
+        reason << "nearest " << 1e6*gap << " um";
+    }
+    effects_.decide("walls", near, reason.str());
+}

@@ -1,0 +1,309 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "ghostExchange.H"
+#include "deformableCloud.H"
+#include "cyclicPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
+#include "IPstream.H"
+#include "OPstream.H"
+#include "HashTable.H"
+
+Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
+:
+    mesh_(mesh),
+    procBoxes_(Pstream::nProcs()),
+    reach_(-1),
+    nOwn_(0)
+{
+    procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
+    Pstream::gatherList(procBoxes_);
+    Pstream::scatterList(procBoxes_);
+
+    findShifts();
+}
+
+
+const Foam::boundBox& Foam::ghostExchange::localBox() const
+{
+    return procBoxes_[Pstream::myProcNo()];
+}
+
+
+void Foam::ghostExchange::findShifts()
+{
+    // Separation of every pair of cyclic patches, known on the processors
+    // that have faces of it
+    HashTable<vector> separations;
+
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (!isA<coupledPolyPatch>(pp) || pp.empty())
+        {
+            continue;
+        }
+
+        word name;
+        if (isA<cyclicPolyPatch>(pp))
+        {
+            const auto& cpp = refCast<const cyclicPolyPatch>(pp);
+            name = cpp.owner() ? cpp.name() : cpp.neighbPatch().name();
+        }
+        else if (isA<processorCyclicPolyPatch>(pp))
+        {
+            const auto& cpp =
+                refCast<const processorCyclicPolyPatch>(pp).referPatch();
+            const auto& cyc = refCast<const cyclicPolyPatch>(cpp);
+            name = cyc.owner() ? cyc.name() : cyc.neighbPatch().name();
+        }
+        else
+        {
+            continue;
+        }
+
+        const auto& cpp = refCast<const coupledPolyPatch>(pp);
+        if (!cpp.parallel())
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " is a rotational cyclic: clumps "
+                << "can cross translational cyclics only"
+                << exit(FatalError);
+        }
+        if (cpp.separated() && !separations.found(name))
+        {
+            // One sign for both sides
+            vector s(cpp.separation()[0]);
+            if (s.x() + Foam::sqrt(2.0)*s.y() + Foam::sqrt(3.0)*s.z() < 0)
+            {
+                s = -s;
+            }
+            separations.insert(name, s);
+        }
+    }
+
+    const auto keepOne = [](const vector& a, const vector&) { return a; };
+    Pstream::mapCombineGather
+    (
+        separations,
+        [&](vector& a, const vector& b) { a = keepOne(a, b); }
+    );
+    Pstream::mapCombineScatter(separations);
+
+    shifts_ = List<vector>(1, vector::zero);
+    for (const word& name : separations.sortedToc())
+    {
+        const List<vector> before(shifts_);
+        for (const scalar sign : {1.0, -1.0})
+        {
+            for (const vector& s : before)
+            {
+                shifts_.append(s + sign*separations[name]);
+            }
+        }
+    }
+}
+
+
+void Foam::ghostExchange::findNeighbours(const scalar reach)
+{
+    // A margin, so that a clump that stretches does not call for this again
+    reach_ = 1.5*reach;
+    neighbours_.clear();
+
+    boundBox mine(localBox());
+    mine.min() -= 2*reach_*vector::one;
+    mine.max() += 2*reach_*vector::one;
+
+    forAll(procBoxes_, proci)
+    {
+        if (proci == Pstream::myProcNo())
+        {
+            continue;
+        }
+        for (const vector& shift : shifts_)
+        {
+            boundBox other(procBoxes_[proci]);
+            other.min() += shift;
+            other.max() += shift;
+
+            if (mine.overlaps(other))
+            {
+                neighbours_.append(proci);
+                break;
+            }
+        }
+    }
+}
+
+
+void Foam::ghostExchange::appendImages
+(
+    const clumpImage& own,
+    const label proci,
+    DynamicList<clumpImage>& images
+) const
+{
+    boundBox reachable(procBoxes_[proci]);
+    reachable.min() -= reach_*vector::one;
+    reachable.max() += reach_*vector::one;
+
+    for (const vector& shift : shifts_)
+    {
+        if (proci == Pstream::myProcNo() && shift == vector::zero)
+        {
+            continue;
+        }
+
+        boundBox box(own.box);
+        box.min() += shift;
+        box.max() += shift;
+
+        if (box.overlaps(reachable))
+        {
+            images.append(own);
+            clumpImage& image = images.last();
+            image.original = false;
+            image.shift = shift;
+            image.x += shift;
+            image.box = box;
+        }
+    }
+}
+
+
+void Foam::ghostExchange::update(const deformableCloud& cloud)
+{
+    images_.clear();
+
+    scalar reach = 0;
+    label index = 0;
+
+    for (const clumpParcel& p : cloud)
+    {
+        const clumpType& type = cloud.type(p);
+
+        images_.append(clumpImage());
+        clumpImage& image = images_.last();
+        image.owner = Pstream::myProcNo();
+        image.index = index++;
+        image.original = true;
+        image.typeId = p.typeId();
+        image.id = labelPair(p.origProc(), p.origId());
+        image.shift = Zero;
+        image.x = p.centres();
+        image.u = p.state().u;
+        image.spin = cloud.imposedSpins(p);
+        image.box = boundBox();
+        forAll(image.x, i)
+        {
+            image.box.add(image.x[i] - type.radii()[i]*vector::one);
+            image.box.add(image.x[i] + type.radii()[i]*vector::one);
+        }
+        image.force = vectorField(image.x.size(), Zero);
+        image.torque = vectorField(image.x.size(), Zero);
+
+        const point centre(p.position());
+        reach = max(reach, cmptMax(image.box.max() - centre));
+        reach = max(reach, cmptMax(centre - image.box.min()));
+    }
+
+    nOwn_ = images_.size();
+
+    reduce(reach, maxOp<scalar>());
+    if (reach > reach_)
+    {
+        findNeighbours(reach);
+    }
+
+    for (const label proci : neighbours_)
+    {
+        DynamicList<clumpImage> ghosts;
+        for (label i = 0; i < nOwn_; ++i)
+        {
+            appendImages(images_[i], proci, ghosts);
+        }
+
+        OPstream os(Pstream::commsTypes::blocking, proci);
+        os << label(ghosts.size());
+        for (const clumpImage& ghost : ghosts)
+        {
+            os << ghost;
+        }
+    }
+
+    for (label i = 0; i < nOwn_; ++i)
+    {
+        const clumpImage own(images_[i]);
+        appendImages(own, Pstream::myProcNo(), images_);
+    }
+
+    for (const label proci : neighbours_)
+    {
+        IPstream is(Pstream::commsTypes::blocking, proci);
+        const label n = readLabel(is);
+        for (label i = 0; i < n; ++i)
+        {
+            images_.append(clumpImage());
+            is >> images_.last();
+        }
+    }
+
+    for (clumpImage& image : images_)
+    {
+        image.force = Zero;
+        image.torque = Zero;
+    }
+}
+
+
+void Foam::ghostExchange::returnForces()
+{
+    const label me = Pstream::myProcNo();
+
+    const auto addTo = [&]
+    (
+        const label index, const vectorField& force, const vectorField& torque
+    )
+    {
+        images_[index].force += force;
+        images_[index].torque += torque;
+    };
+
+    for (const label proci : neighbours_)
+    {
+        DynamicList<label> indices;
+        DynamicList<vectorField> sums;
+        for (const clumpImage& image : images_)
+        {
+            if (image.owner == proci)
+            {
+                indices.append(image.index);
+                sums.append(image.force);
+                sums.append(image.torque);
+            }
+        }
+        OPstream os(Pstream::commsTypes::blocking, proci);
+        os << indices << sums;
+    }
+
+    for (label i = nOwn_; i < images_.size(); ++i)
+    {
+        if (images_[i].owner == me)
+        {
+            addTo(images_[i].index, images_[i].force, images_[i].torque);
+        }
+    }
+
+    for (const label proci : neighbours_)
+    {
+        IPstream is(Pstream::commsTypes::blocking, proci);
+        const labelList indices(is);
+        const List<vectorField> sums(is);
+        forAll(indices, k)
+        {
+            addTo(indices[k], sums[2*k], sums[2*k + 1]);
+        }
+    }
+}

@@ -1,0 +1,233 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "placement.H"
+#include "Random.H"
+#include "labelVector.H"
+#include "boundBox.H"
+#include "unitConversion.H"
+#include <cmath>
+
+Foam::placement::placement
+(
+    const dictionary& dict,
+    const PtrList<clumpType>& types,
+    const HashTable<label>& typeIds
+)
+:
+    types_(types),
+    typeIds_(typeIds)
+{
+    const word type(dict.get<word>("type"));
+    const HashTable<label> kinds({{"list", 0}, {"lattice", 1}, {"random", 2}});
+
+    if (!kinds.found(type))
+    {
+        FatalIOErrorInLookup(dict, "placement", type, kinds)
+            << exit(FatalIOError);
+    }
+    switch (kinds[type])
+    {
+        case 0: readList(dict); break;
+        case 1: makeLattice(dict); break;
+        case 2: packRandomly(dict); break;
+    }
+}
+
+
+Foam::label Foam::placement::typeId
+(
+    const dictionary& dict,
+    const word& entry
+) const
+{
+    const word name(dict.get<word>(entry));
+    if (!typeIds_.found(name))
+    {
+        FatalIOErrorInLookup(dict, entry, name, typeIds_) << exit(FatalIOError);
+    }
+    return typeIds_[name];
+}
+
+
+void Foam::placement::readList(const dictionary& dict)
+{
+    for (const dictionary& d : dict.get<List<dictionary>>("clumps"))
+    {
+        const label id = typeId(d, "type");
+
+        quaternion turn(quaternion::I);
+        if (d.found("axis") || d.found("angle"))
+        {
+            const vector axis(d.get<vector>("axis"));
+            if (mag(axis) < VSMALL)
+            {
+                FatalIOErrorInFunction(d)
+                    << "Entry axis must not be zero" << exit(FatalIOError);
+            }
+            turn = rotation(degToRad(d.get<scalar>("angle"))*axis/mag(axis));
+        }
+
+        placed p{id, d.get<point>("position"), clumpState(types_[id], turn)};
+        p.state.setRigidMotion
+        (
+            types_[id],
+            d.getOrDefault<vector>("velocity", Zero),
+            d.getOrDefault<vector>("angularVelocity", Zero)
+        );
+        clumps_.append(p);
+    }
+}
+
+
+void Foam::placement::makeLattice(const dictionary& dict)
+{
+    const label id = typeId(dict, "clumpType");
+    const point origin(dict.get<point>("origin"));
+    const vector spacing(dict.get<vector>("spacing"));
+    const labelVector number
+    (
+        dict.getCheck<labelVector>
+        (
+            "number", [](const labelVector& n){ return cmptMin(n) > 0; }
+        )
+    );
+
+    for (label k = 0; k < number.z(); ++k)
+    {
+        for (label j = 0; j < number.y(); ++j)
+        {
+            for (label i = 0; i < number.x(); ++i)
+            {
+                clumps_.append
+                (
+                    placed
+                    {
+                        id,
+                        origin + cmptMultiply(vector(i, j, k), spacing),
+                        clumpState(types_[id])
+                    }
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::placement::packRandomly(const dictionary& dict)
+{
+    const label id = typeId(dict, "clumpType");
+    const clumpType& type = types_[id];
+    const boundBox box(dict.get<point>("min"), dict.get<point>("max"));
+    const labelVector periodic(dict.get<labelVector>("periodic"));
+    const scalar haematocrit = dict.getCheck<scalar>
+    (
+        "haematocrit", [](scalar h){ return h > 0 && h < 1; }
+    );
+    Random random(dict.get<label>("seed"));
+
+    const label wanted = round(haematocrit*box.volume()/type.volume());
+    const vector span(box.span());
+
+    const auto nearest = [&](vector d)
+    {
+        for (direction c = 0; c < 3; ++c)
+        {
+            if (periodic[c])
+            {
+                d[c] -= span[c]*std::round(d[c]/span[c]);
+            }
+        }
+        return d;
+    };
+
+    const auto overlaps = [&](const placed& a, const placed& b)
+    {
+        if (mag(nearest(a.position - b.position)) > 2*type.reach())
+        {
+            return false;
+        }
+        forAll(a.state.x, i)
+        {
+            forAll(b.state.x, j)
+            {
+                const vector d
+                (
+                    a.position + a.state.x[i] - b.position - b.state.x[j]
+                );
+                if (mag(nearest(d)) < type.radii()[i] + type.radii()[j])
+                {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+
+    const auto fits = [&](const placed& p)
+    {
+        // Whole between the faces that do not repeat
+        forAll(p.state.x, i)
+        {
+            const point x(p.position + p.state.x[i]);
+            const scalar r = type.radii()[i];
+            for (direction c = 0; c < 3; ++c)
+            {
+                if
+                (
+                    !periodic[c]
+                 && (x[c] - r < box.min()[c] || x[c] + r > box.max()[c])
+                )
+                {
+                    return false;
+                }
+            }
+        }
+        for (const placed& other : clumps_)
+        {
+            if (overlaps(p, other))
+            {
+                return false;
+            }
+        }
+        return true;
+    };
+
+    while (clumps_.size() < wanted)
+    {
+        bool found = false;
+        for (label tries = 0; tries < 10000 && !found; ++tries)
+        {
+            // Uniform over all rotations: a normalised Gaussian quaternion
+            quaternion q
+            (
+                random.GaussNormal<scalar>(),
+                vector
+                (
+                    random.GaussNormal<scalar>(),
+                    random.GaussNormal<scalar>(),
+                    random.GaussNormal<scalar>()
+                )
+            );
+            q.normalize();
+
+            const placed p
+            {
+                id, random.position(box.min(), box.max()), clumpState(type, q)
+            };
+            if (fits(p))
+            {
+                clumps_.append(p);
+                found = true;
+            }
+        }
+        if (!found)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry haematocrit " << haematocrit << ": " << clumps_.size()
+                << " of " << wanted << " clumps found room" << exit(FatalIOError);
+        }
+    }
+}

@@ -1,0 +1,136 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpType.H"
+#include "noConservation.H"
+#include "sphereUnion.H"
+#include "mathematicalConstants.H"
+
+Foam::clumpType::clumpType(const word& name, const dictionary& dict)
+:
+    name_(name),
+    density_(getPositive(dict, "density")),
+    fixed_(false)
+{
+    const auto geometry(clumpShapes::shape::New(dict.subDict("shape")));
+    centres_ = geometry->centres();
+    radii_ = geometry->radii();
+
+    const word motion(dict.get<word>("motion"));
+    if (motion != "free" && motion != "fixed")
+    {
+        FatalIOErrorInLookup
+        (
+            dict, "motion", motion,
+            (HashTable<label>({{"free", 0}, {"fixed", 1}}))
+        )   << exit(FatalIOError);
+    }
+    fixed_ = motion == "fixed";
+
+    setMasses(dict);
+
+    reach_ = max(mag(centres_) + radii_);
+
+    setBonds(geometry->bonds(), dict);
+
+    if (dict.found("conservationModel"))
+    {
+        conservationModel_ = selectModel<conservationModel>
+        (
+            dict.subDict("conservationModel"), centres_
+        );
+    }
+    else
+    {
+        conservationModel_.reset
+        (
+            new conservationModels::noConservation(dictionary::null, centres_)
+        );
+    }
+}
+
+
+void Foam::clumpType::setMasses(const dictionary& dict)
+{
+    const word massModel(dict.get<word>("massModel"));
+
+    volume_ = sphereUnion::volume(centres_, radii_);
+
+    const scalarField cubes(pow3(radii_));
+    const scalar spheres = constant::mathematical::pi*4.0/3.0*sum(cubes);
+
+    scalar V = 0;
+    if (massModel == "union")
+    {
+        V = volume_;
+    }
+    else if (massModel == "fullSpheres")
+    {
+        V = spheres;
+    }
+    else
+    {
+        FatalIOErrorInLookup
+        (
+            dict, "massModel", massModel,
+            (HashTable<label>({{"union", 0}, {"fullSpheres", 1}}))
+        )   << exit(FatalIOError);
+    }
+
+    masses_ = density_*V*cubes/sum(cubes);
+    volumes_ = volume_*cubes/sum(cubes);
+    inertias_ = 0.4*masses_*sqr(radii_);
+
+    centres_ -= sum(masses_*centres_)/sum(masses_);
+}
+
+
+void Foam::clumpType::setBonds
+(
+    const List<labelPair>& pairs,
+    const dictionary& dict
+)
+{
+    if (pairs.empty())
+    {
+        return;
+    }
+
+    bondModel_ = selectModel<bondModel>(dict.subDict("bondModel"));
+    dampingModel_ = selectModel<dampingModel>(dict.subDict("dampingModel"));
+
+    bonds_.setSize(pairs.size());
+
+    forAll(pairs, b)
+    {
+        const label i = pairs[b].first();
+        const label j = pairs[b].second();
+        const vector d(centres_[j] - centres_[i]);
+        const scalar length = mag(d);
+
+        if (length < SMALL*max(radii_[i], radii_[j]))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Bond " << b << " joins spheres " << i << " and " << j
+                << " at the same place" << exit(FatalIOError);
+        }
+
+        const bondCoefficients k
+        (
+            bondModel_->stiffness(length, 0.5*(radii_[i] + radii_[j]))
+        );
+
+        bonds_[b] =
+        {
+            i, j, d/length, length, k,
+            dampingModel_->coefficients
+            (
+                k,
+                0.5*(masses_[i] + masses_[j]),
+                0.5*(inertias_[i] + inertias_[j])
+            )
+        };
+    }
+}

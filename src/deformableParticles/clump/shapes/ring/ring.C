@@ -1,0 +1,36 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "ring.H"
+#include "mathematicalConstants.H"
+
+namespace Foam
+{
+namespace clumpShapes
+{
+    defineTypeNameAndDebug(ring, 0);
+    addToRunTimeSelectionTable(shape, ring, dictionary);
+}
+}
+
+
+Foam::clumpShapes::ring::ring(const dictionary& dict)
+{
+    const label n =
+        dict.getCheck<label>("nSpheres", [](label x){ return x >= 3; });
+    const scalar R = getPositive(dict, "ringRadius");
+    const scalar r = getPositive(dict, "sphereRadius");
+
+    centres_.setSize(n);
+    radii_ = scalarField(n, r);
+    bonds_.setSize(n);
+
+    forAll(centres_, i)
+    {
+        const scalar angle = constant::mathematical::twoPi*i/n;
+        centres_[i] = R*vector(Foam::cos(angle), Foam::sin(angle), 0);
+        bonds_[i] = labelPair(i, (i + 1) % n);
+    }
+}

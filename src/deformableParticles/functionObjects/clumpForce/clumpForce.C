@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpForce.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(clumpForce, 0);
+    addToRunTimeSelectionTable(functionObject, clumpForce, dictionary);
+}
+}
+
+
+Foam::functionObjects::clumpForce::clumpForce
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    clumpTable(name, runTime, dict, typeName)
+{
+    start(dict);
+}
+
+
+void Foam::functionObjects::clumpForce::writeHeader(Ostream& os) const
+{
+    os  << "# Force of the fluid on every clump" << nl
+        << "# time [s]\tclump\ttype\tFx Fy Fz [N]\tTx Ty Tz [N m]"
+        << "\tx y z [m]\tUx Uy Uz [m/s]" << endl;
+}
+
+
+Foam::string Foam::functionObjects::clumpForce::row
+(
+    const clumpParcel& p,
+    const clumpType& type
+) const
+{
+    const point centre(p.state().centre(type));
+    vector torque(sum(p.fluidTorques()));
+    forAll(p.fluidForces(), i)
+    {
+        torque += (p.state().x[i] - centre) ^ p.fluidForces()[i];
+    }
+
+    return columns
+    (
+        {
+            sum(p.fluidForces()), torque, p.position(),
+            p.state().velocity(type)
+        }
+    );
+}

@@ -1,0 +1,95 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpTable.H"
+#include "deformableCloud.H"
+#include "SortableList.H"
+
+Foam::functionObjects::clumpTable::clumpTable
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict,
+    const word& fileName
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, fileName, dict)
+{}
+
+
+void Foam::functionObjects::clumpTable::start(const dictionary& dict)
+{
+    read(dict);
+    if (Pstream::master())
+    {
+        writeHeader(file());
+    }
+}
+
+
+bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
+{
+    cloudName_ = dict.getOrDefault<word>("cloud", "clumps");
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+Foam::string Foam::functionObjects::clumpTable::columns
+(
+    const std::initializer_list<vector>& values
+)
+{
+    OStringStream os;
+    os.precision(10);
+    for (const vector& v : values)
+    {
+        os << '\t' << v.x() << '\t' << v.y() << '\t' << v.z();
+    }
+    return os.str();
+}
+
+
+bool Foam::functionObjects::clumpTable::write()
+{
+    const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
+
+    DynamicList<label> ids;
+    DynamicList<string> rows;
+    for (const clumpParcel& p : cloud)
+    {
+        ids.append(p.origId());
+        rows.append(cloud.type(p).name() + row(p, cloud.type(p)));
+    }
+
+    List<List<label>> allIds(Pstream::nProcs());
+    List<List<string>> allRows(Pstream::nProcs());
+    allIds[Pstream::myProcNo()] = ids;
+    allRows[Pstream::myProcNo()] = rows;
+    Pstream::gatherList(allIds);
+    Pstream::gatherList(allRows);
+
+    if (Pstream::master())
+    {
+        DynamicList<label> id;
+        DynamicList<string> text;
+        forAll(allIds, proci)
+        {
+            id.append(allIds[proci]);
+            text.append(allRows[proci]);
+        }
+
+        const SortableList<label> order(id);
+        forAll(order, k)
+        {
+            file()
+                << time_.timeOutputValue() << '\t' << order[k] << '\t'
+                << text[order.indices()[k]].c_str() << nl;
+        }
+        file() << flush;
+    }
+
+    return true;
+}

@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "vtkClumps.H"
+#include "deformableCloud.H"
+#include "bondForces.H"
+#include "foamVtkOutput.H"
+#include "addToRunTimeSelectionTable.H"
+#include "OSspecific.H"
+#include <fstream>
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(vtkClumps, 0);
+    addToRunTimeSelectionTable(functionObject, vtkClumps, dictionary);
+}
+}
+
+namespace
+{
+
+using namespace Foam;
+
+//- Values of all processors, on the master
+template<class Type>
+List<Type> gathered(const DynamicList<Type>& local)
+{
+    List<List<Type>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = local;
+    Pstream::gatherList(all);
+
+    DynamicList<Type> result;
+    for (const List<Type>& part : all)
+    {
+        result.append(part);
+    }
+    return List<Type>(result);
+}
+
+
+//- Start of a piece of polydata: points, and vertices or lines in order
+void beginPiece
+(
+    vtk::formatter& format,
+    const List<point>& points,
+    const label nVerts,
+    const label nLines
+)
+{
+    format.xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
+    format
+        .tag
+        (
+            vtk::fileTag::PIECE,
+            vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
+            vtk::fileAttr::NUMBER_OF_VERTS, nVerts,
+            vtk::fileAttr::NUMBER_OF_LINES, nLines
+        );
+
+    format.tag(vtk::fileTag::POINTS);
+    format.beginDataArray<float, 3>(vtk::dataArrayAttr::POINTS);
+    format.writeSize(vtk::sizeofData<float, 3>(points.size()));
+    vtk::writeList(format, points);
+    format.flush();
+    format.endDataArray();
+    format.endTag(vtk::fileTag::POINTS);
+
+    // Point i belongs to cell i/size: connectivity is the identity
+    const label nCells = nVerts + nLines;
+    const label size = nLines ? 2 : 1;
+    const auto tag = nLines ? vtk::fileTag::LINES : vtk::fileTag::VERTS;
+
+    format.tag(tag);
+    format.beginDataArray<label>(vtk::dataArrayAttr::CONNECTIVITY);
+    format.writeSize(vtk::sizeofData<label>(size*nCells));
+    vtk::writeIdentity(format, size*nCells);
+    format.flush();
+    format.endDataArray();
+
+    format.beginDataArray<label>(vtk::dataArrayAttr::OFFSETS);
+    format.writeSize(vtk::sizeofData<label>(nCells));
+    for (label i = 1; i <= nCells; ++i)
+    {
+        format.write(size*i);
+    }
+    format.flush();
+    format.endDataArray();
+    format.endTag(tag);
+}
+
+
+template<class Type>
+void writeField
+(
+    vtk::formatter& format, const word& name, const List<Type>& values
+)
+{
+    format.beginDataArray<float, pTraits<Type>::nComponents>(name);
+    format.writeSize
+    (
+        vtk::sizeofData<float, pTraits<Type>::nComponents>(values.size())
+    );
+    vtk::writeList(format, values);
+    format.flush();
+    format.endDataArray();
+}
+
+
+void endPiece(vtk::formatter& format)
+{
+    format.endPiece();
+    format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
+}
+
+}
+
+
+Foam::functionObjects::vtkClumps::vtkClumps
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict)
+{
+    read(dict);
+}
+
+
+bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
+{
+    cloudName_ = dict.getOrDefault<word>("cloud", "clumps");
+    return fvMeshFunctionObject::read(dict);
+}
+
+
+bool Foam::functionObjects::vtkClumps::write()
+{
+    const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
+
+    DynamicList<point> centres;
+    DynamicList<scalar> radii, clumps, numbers, types;
+    DynamicList<vector> velocities, forces;
+    DynamicList<point> ends;
+    DynamicList<scalar> tension, bondClumps;
+
+    for (const clumpParcel& p : cloud)
+    {
+        const clumpType& type = cloud.type(p);
+        const pointField x(p.centres());
+
+        forAll(x, i)
+        {
+            centres.append(x[i]);
+            radii.append(type.radii()[i]);
+            clumps.append(p.origId());
+            numbers.append(i);
+            types.append(p.typeId());
+            velocities.append(p.state().u[i]);
+            forces.append(p.fluidForces()[i]);
+        }
+
+        const scalarField axial(bondForces(type, p.state()).tension(p.state()));
+        forAll(type.bonds(), b)
+        {
+            ends.append(x[type.bonds()[b].i]);
+            ends.append(x[type.bonds()[b].j]);
+            tension.append(axial[b]);
+            bondClumps.append(p.origId());
+        }
+    }
+
+    const List<point> allCentres(gathered(centres));
+    const List<scalar> allRadii(gathered(radii));
+    const List<scalar> allClumps(gathered(clumps));
+    const List<scalar> allNumbers(gathered(numbers));
+    const List<scalar> allTypes(gathered(types));
+    const List<vector> allVelocities(gathered(velocities));
+    const List<vector> allForces(gathered(forces));
+    const List<point> allEnds(gathered(ends));
+    const List<scalar> allTension(gathered(tension));
+    const List<scalar> allBondClumps(gathered(bondClumps));
+
+    if (!Pstream::master())
+    {
+        return true;
+    }
+
+    const fileName dir(time_.globalPath()/"VTK"/cloudName_);
+    mkDir(dir);
+    const word step("_" + Foam::name(time_.timeIndex()) + ".vtp");
+
+    {
+        const fileName file(dir/"spheres" + step);
+        std::ofstream os(file);
+        autoPtr<vtk::formatter> format
+        (
+            vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
+        );
+        beginPiece(*format, allCentres, allCentres.size(), 0);
+        format->beginPointData();
+        writeField(*format, "radius", allRadii);
+        writeField(*format, "clump", allClumps);
+        writeField(*format, "sphere", allNumbers);
+        writeField(*format, "type", allTypes);
+        writeField(*format, "U", allVelocities);
+        writeField(*format, "fluidForce", allForces);
+        format->endPointData();
+        endPiece(*format);
+        spheres_.append(time_.value(), file.name());
+        spheres_.write(dir/"spheres.vtp");
+    }
+    {
+        const fileName file(dir/"bonds" + step);
+        std::ofstream os(file);
+        autoPtr<vtk::formatter> format
+        (
+            vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
+        );
+        beginPiece(*format, allEnds, 0, allEnds.size()/2);
+        format->beginCellData();
+        writeField(*format, "axialForce", allTension);
+        writeField(*format, "clump", allBondClumps);
+        format->endCellData();
+        endPiece(*format);
+        bonds_.append(time_.value(), file.name());
+        bonds_.write(dir/"bonds.vtp");
+    }
+
+    return true;
+}

@@ -1,0 +1,177 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "meanVelocityGradient.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvmLaplacian.H"
+#include "fvmSup.H"
+#include "volFields.H"
+#include "fvMatrices.H"
+#include "zeroGradientFvPatchFields.H"
+#include "fixedValueFvPatchFields.H"
+#include "IFstream.H"
+
+namespace Foam
+{
+namespace fv
+{
+    defineTypeNameAndDebug(meanVelocityGradient, 0);
+    addToRunTimeSelectionTable(option, meanVelocityGradient, dictionary);
+}
+}
+
+
+Foam::fv::meanVelocityGradient::meanVelocityGradient
+(
+    const word& sourceName,
+    const word& modelType,
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    cellSetOption(sourceName, modelType, dict, mesh),
+    Ubar_(coeffs_.get<vector>("Ubar")),
+    direction_(Zero),
+    gradient_(0),
+    response_(0),
+    responseStep_(0),
+    fresh_(true)
+{
+    coeffs_.readEntry("fields", fieldNames_);
+    applied_.setSize(fieldNames_.size(), false);
+
+    if (fieldNames_.size() != 1 || mag(Ubar_) < VSMALL)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "Entry fields must name one field and Ubar must not be zero"
+            << exit(FatalIOError);
+    }
+    direction_ = Ubar_/mag(Ubar_);
+
+    IFstream saved
+    (
+        mesh_.time().timePath()/"uniform"/(name_ + "Properties")
+    );
+    if (saved.good())
+    {
+        gradient_ = dictionary(saved).get<scalar>("gradient");
+        fresh_ = false;
+    }
+}
+
+
+Foam::scalar Foam::fv::meanVelocityGradient::findResponse
+(
+    const volVectorField& U
+) const
+{
+    wordList patchTypes
+    (
+        U.boundaryField().size(), zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(patchTypes, patchi)
+    {
+        const fvPatchVectorField& pf = U.boundaryField()[patchi];
+        if (pf.coupled() || polyPatch::constraintType(pf.patch().type()))
+        {
+            patchTypes[patchi] = pf.patch().type();
+        }
+        else if (pf.fixesValue())
+        {
+            patchTypes[patchi] = fixedValueFvPatchScalarField::typeName;
+        }
+    }
+
+    volScalarField w
+    (
+        IOobject(name_ + ":response", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimTime, Zero),
+        patchTypes
+    );
+    const auto& nu = mesh_.lookupObject<volScalarField>("nu");
+
+    fvScalarMatrix equation
+    (
+        fvm::Sp(1/mesh_.time().deltaT(), w) - fvm::laplacian(nu, w)
+     == dimensionedScalar("one", dimless, 1)
+    );
+
+    dictionary solver;
+    solver.add("solver", word("PCG"));
+    solver.add("preconditioner", word("DIC"));
+    solver.add("tolerance", 1e-10);
+    solver.add("relTol", 1e-3);
+    equation.solve(solver);
+
+    return gSum(w.primitiveField()*mesh_.V())/gSum(mesh_.V());
+}
+
+
+void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    if (mag(dt - responseStep_) > 0.1*responseStep_)
+    {
+        response_ = findResponse(U);
+        responseStep_ = dt;
+    }
+
+    const scalar mean =
+        gSum((U.primitiveField() & direction_)*mesh_.V())/gSum(mesh_.V());
+
+    gradient_ += (mag(Ubar_) - mean)/response_;
+    fresh_ = false;
+
+    Info<< "Mean velocity = " << mean << ", pressure gradient = "
+        << gradient_ << endl;
+
+    if (mesh_.time().writeTime())
+    {
+        IOdictionary saved
+        (
+            IOobject
+            (
+                name_ + "Properties",
+                mesh_.time().timeName(),
+                "uniform",
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE
+            )
+        );
+        saved.add("gradient", gradient_);
+        saved.regIOobject::write();
+    }
+}
+
+
+void Foam::fv::meanVelocityGradient::addSup
+(
+    fvMatrix<vector>& eqn,
+    const label
+)
+{
+    if (fresh_)
+    {
+        correct(mesh_.lookupObjectRef<volVectorField>(fieldNames_[0]));
+    }
+    for (const label celli : cells_)
+    {
+        eqn.source()[celli] -= mesh_.V()[celli]*gradient_*direction_;
+    }
+}
+
+
+bool Foam::fv::meanVelocityGradient::read(const dictionary& dict)
+{
+    if (cellSetOption::read(dict))
+    {
+        coeffs_.readEntry("Ubar", Ubar_);
+        direction_ = Ubar_/mag(Ubar_);
+        return true;
+    }
+    return false;
+}

@@ -1,0 +1,37 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "cutCell.H"
+
+namespace Foam
+{
+namespace forcingModels
+{
+    defineTypeNameAndDebug(cutCell, 0);
+    addToRunTimeSelectionTable(forcingModel, cutCell, dictionary);
+}
+}
+
+
+Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
+:
+    cut_(getPositive(dict, "cutCoefficient")),
+    full_(getPositive(dict, "fullCoefficient"))
+{}
+
+
+Foam::scalar Foam::forcingModels::cutCell::strength
+(
+    const scalar lambda,
+    const scalar dt,
+    const scalar nu,
+    const scalar dx
+) const
+{
+    const scalar diffusion = nu/sqr(dx);
+    const scalar full = max(1/dt, full_*diffusion);
+
+    return lambda/(lambda/full + (1 - lambda)/(cut_*diffusion));
+}

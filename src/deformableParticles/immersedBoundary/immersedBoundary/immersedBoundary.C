@@ -1,0 +1,369 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "immersedBoundary.H"
+#include "sphereUnion.H"
+#include "fvmSup.H"
+#include "treeDataCell.H"
+#include "indexedOctree.H"
+#include "zeroGradientFvPatchFields.H"
+
+Foam::immersedBoundary::immersedBoundary
+(
+    const fvMesh& mesh,
+    const PtrList<clumpType>& types,
+    const dictionary& dict
+)
+:
+    mesh_(mesh),
+    types_(types),
+    solidFractionModel_
+    (
+        selectModel<solidFractionModel>(dict.subDict("solidFraction"))
+    ),
+    forcingModel_(selectModel<forcingModel>(dict.subDict("forcing"))),
+    forceModel_
+    (
+        selectModel<hydrodynamicForceModel>(dict.subDict("hydrodynamicForce"))
+    ),
+    dilates_(dict.get<bool>("interiorDilation")),
+    solidFraction_
+    (
+        IOobject
+        (
+            "solidFraction", mesh.time().timeName(), mesh,
+            IOobject::NO_READ, IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    solidVelocity_
+    (
+        IOobject("solidVelocity", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimVelocity, Zero)
+    ),
+    strength_
+    (
+        IOobject("forcingStrength", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
+    ),
+    dilation_
+    (
+        IOobject("interiorDilation", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
+    ),
+    cellReach_(mesh.nCells(), Zero),
+    closed_(false)
+{
+    const labelListList& cellPoints = mesh.cellPoints();
+    forAll(cellReach_, celli)
+    {
+        for (const label pointi : cellPoints[celli])
+        {
+            cellReach_[celli] = max
+            (
+                cellReach_[celli],
+                mag(mesh.points()[pointi] - mesh.cellCentres()[celli])
+            );
+        }
+    }
+
+    // Every processor builds its tree together with the others
+    mesh.cellTree();
+}
+
+
+void Foam::immersedBoundary::findCover
+(
+    const clumpImage& image,
+    cover& c
+) const
+{
+    const clumpType& type = types_[image.typeId];
+    const scalar smallest = min(type.radii());
+    DynamicList<point> nearCentres;
+    DynamicList<scalar> nearRadii;
+
+    for (const label celli : mesh_.cellTree().findBox(treeBoundBox(image.box)))
+    {
+        const point& x = mesh_.cellCentres()[celli];
+        const scalar reach = cellReach_[celli];
+        const scalar d = sphereUnion::distance(x, image.x, type.radii());
+
+        if (d > reach)
+        {
+            continue;
+        }
+
+        scalar lambda = 1;
+        if (d > -reach)
+        {
+            nearCentres.clear();
+            nearRadii.clear();
+            forAll(image.x, i)
+            {
+                if (mag(x - image.x[i]) - type.radii()[i] < 2*reach)
+                {
+                    nearCentres.append(image.x[i]);
+                    nearRadii.append(type.radii()[i]);
+                }
+            }
+            lambda = solidFractionModel_->fraction
+            (
+                mesh_, celli, d, nearCentres, nearRadii
+            );
+        }
+
+        if (lambda > SMALL)
+        {
+            const scalar dx = Foam::cbrt(mesh_.V()[celli]);
+            if (smallest < 0.999*dx)
+            {
+                FatalErrorInFunction
+                    << "Clump type " << type.name() << ": the sphere radius "
+                    << smallest << " at " << image.x[0] << " is below the "
+                    << "cell width " << dx << " (D/dx = " << 2*smallest/dx
+                    << "): refine the mesh until D/dx is 2 at least, 4 for "
+                    << "accuracy" << exit(FatalError);
+            }
+            c.cells.append(celli);
+            c.lambda.append(lambda);
+        }
+    }
+}
+
+
+void Foam::immersedBoundary::setWeights
+(
+    const clumpImage& image,
+    cover& c
+) const
+{
+    const clumpType& type = types_[image.typeId];
+    const label n = type.size();
+
+    c.weights.setSize(n*c.cells.size());
+    c.gradWeights.setSize(n*c.cells.size());
+    scalarField exponent(n);
+
+    forAll(c.cells, k)
+    {
+        const point& x = mesh_.cellCentres()[c.cells[k]];
+        scalar* w = &c.weights[n*k];
+        vector* gradW = &c.gradWeights[n*k];
+
+        for (label i = 0; i < n; ++i)
+        {
+            exponent[i] = -magSqr(x - image.x[i])/sqr(type.radii()[i]);
+        }
+
+        // The largest exponent taken out: the sum is never zero
+        const scalar largest = max(exponent);
+        scalar sum = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            w[i] = Foam::exp(max(exponent[i] - largest, scalar(-200)));
+            sum += w[i];
+        }
+
+        vector mean(Zero);
+        for (label i = 0; i < n; ++i)
+        {
+            w[i] /= sum;
+            gradW[i] = -2/sqr(type.radii()[i])*(x - image.x[i]);
+            mean += w[i]*gradW[i];
+        }
+        for (label i = 0; i < n; ++i)
+        {
+            gradW[i] = w[i]*(gradW[i] - mean);
+        }
+    }
+}
+
+
+void Foam::immersedBoundary::clearCovered()
+{
+    for (const cover& c : covers_)
+    {
+        for (const label celli : c.cells)
+        {
+            solidFraction_[celli] = 0;
+            solidVelocity_[celli] = Zero;
+            strength_[celli] = 0;
+        }
+    }
+    if (dilates_)
+    {
+        dilation_ = dimensionedScalar(dilation_.dimensions(), Zero);
+    }
+}
+
+
+void Foam::immersedBoundary::update
+(
+    const UList<clumpImage>& images,
+    const volScalarField& nu,
+    const bool closed
+)
+{
+    closed_ = closed;
+    clearCovered();
+    covers_ = List<cover>(images.size());
+
+    forAll(images, a)
+    {
+        cover& c = covers_[a];
+        findCover(images[a], c);
+        setWeights(images[a], c);
+
+        forAll(c.cells, k)
+        {
+            solidFraction_[c.cells[k]] += c.lambda[k];
+        }
+    }
+
+    const scalar dt = mesh_.time().deltaTValue();
+
+    forAll(images, a)
+    {
+        const clumpImage& image = images[a];
+        cover& c = covers_[a];
+        const label n = image.x.size();
+
+        forAll(c.cells, k)
+        {
+            const label celli = c.cells[k];
+            const point& x = mesh_.cellCentres()[celli];
+            const scalar total = solidFraction_[celli];
+            const scalar share = c.lambda[k]/total;
+
+            for (label i = 0; i < n; ++i)
+            {
+                const vector u(image.u[i] + (image.spin[i] ^ (x - image.x[i])));
+                solidVelocity_[celli] += share*c.weights[n*k + i]*u;
+
+                if (dilates_)
+                {
+                    dilation_[celli] +=
+                        min(total, scalar(1))*share
+                       *(c.gradWeights[n*k + i] & u);
+                }
+            }
+            strength_[celli] = forcingModel_->strength
+            (
+                min(total, scalar(1)),
+                dt,
+                nu[celli],
+                Foam::cbrt(mesh_.V()[celli])
+            );
+        }
+    }
+
+    forAll(covers_, a)
+    {
+        for (const label celli : covers_[a].cells)
+        {
+            solidFraction_[celli] = min(solidFraction_[celli], scalar(1));
+        }
+    }
+
+    if (dilates_ && closed_)
+    {
+        dilation_.primitiveFieldRef() -=
+            gSum(mesh_.V()*dilation_.primitiveField())/gSum(mesh_.V());
+    }
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::immersedBoundary::forcing
+(
+    const volVectorField& U
+) const
+{
+    return strength_*solidVelocity_ - fvm::Sp(strength_, U);
+}
+
+
+void Foam::immersedBoundary::integrate
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu,
+    const scalar rho,
+    UList<clumpImage>& images
+)
+{
+    const hydrodynamicForceModel::flow flow
+    {
+        U, p, nu, rho, solidFraction_, solidVelocity_, strength_
+    };
+    forceModel_->prepare(flow);
+
+    const scalar pMean =
+        dilates_ && closed_
+      ? gSum(mesh_.V()*p.primitiveField())/gSum(mesh_.V())
+      : 0;
+
+    // Fractions of several clumps in a cell may have been scaled down to one
+    scalarField sumLambda(mesh_.nCells(), Zero);
+    for (const cover& c : covers_)
+    {
+        forAll(c.cells, k)
+        {
+            sumLambda[c.cells[k]] += c.lambda[k];
+        }
+    }
+
+    forAll(images, a)
+    {
+        clumpImage& image = images[a];
+        const cover& c = covers_[a];
+        const label n = image.x.size();
+
+        image.force = Zero;
+        image.torque = Zero;
+
+        forAll(c.cells, k)
+        {
+            const label celli = c.cells[k];
+            const point& x = mesh_.cellCentres()[celli];
+            const scalar share = c.lambda[k]/sumLambda[celli];
+            const scalar V = mesh_.V()[celli];
+            const vector F(V*share*(*forceModel_)(flow, celli));
+            const scalar P =
+                dilates_
+              ? V*share*solidFraction_[celli]*rho*(p[celli] - pMean)
+              : 0;
+
+            for (label i = 0; i < n; ++i)
+            {
+                const vector g
+                (
+                    c.weights[n*k + i]*F - P*c.gradWeights[n*k + i]
+                );
+                image.force[i] += g;
+                image.torque[i] += (x - image.x[i]) ^ g;
+            }
+        }
+    }
+}
+
+
+Foam::vector Foam::immersedBoundary::forceOnFluid
+(
+    const volVectorField& U,
+    const scalar rho
+) const
+{
+    return gSum
+    (
+        rho*mesh_.V()*strength_.primitiveField()
+       *(solidVelocity_.primitiveField() - U.primitiveField())
+    );
+}

@@ -1,0 +1,129 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "velocityVerlet.H"
+
+namespace Foam
+{
+namespace integrators
+{
+    defineTypeNameAndDebug(velocityVerlet, 0);
+    addToRunTimeSelectionTable(integrator, velocityVerlet, dictionary);
+}
+}
+
+
+Foam::integrators::velocityVerlet::velocityVerlet(const dictionary& dict)
+:
+    stepFraction_
+    (
+        dict.getCheck<scalar>
+        (
+            "stepFraction", [](scalar x){ return x > 0 && x <= 1; }
+        )
+    )
+{}
+
+
+Foam::scalar Foam::integrators::velocityVerlet::stableStep
+(
+    const clumpType& type,
+    const externals& ext
+) const
+{
+    const label n = type.size();
+    scalarField K(n, Zero), C(ext.zeta), S(n, Zero), D(ext.zetaR);
+
+    forAll(K, i)
+    {
+        K[i] = tr(ext.k[i]);
+    }
+
+    for (const clumpType::bond& b : type.bonds())
+    {
+        const scalar arm2 = sqr(0.5*b.length);
+        const bondCoefficients& k = b.stiffness;
+        const bondCoefficients& c = b.damping;
+
+        for (const label i : {b.i, b.j})
+        {
+            K[i] += 2*max(k.normal, k.tangential);
+            C[i] += 2*max(c.normal, c.tangential);
+            S[i] += 2*(max(k.bending, k.torsional) + arm2*k.tangential);
+            D[i] += 2*(max(c.bending, c.torsional) + arm2*c.tangential);
+        }
+    }
+
+    scalar result = GREAT;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar m = type.masses()[i];
+        const scalar I = type.inertias()[i];
+        result = min(result, 2*Foam::sqrt(m/max(K[i], VSMALL)));
+        result = min(result, 2*Foam::sqrt(I/max(S[i], VSMALL)));
+        result = min(result, 2*m/max(C[i], VSMALL));
+        result = min(result, 2*I/max(D[i], VSMALL));
+    }
+
+    return stepFraction_*result;
+}
+
+
+void Foam::integrators::velocityVerlet::advance
+(
+    const clumpType& type,
+    const externals& ext,
+    const scalar dt,
+    clumpState& s
+) const
+{
+    const scalar stable = stableStep(type, ext);
+    const label nSub = dt > stable ? label(std::ceil(dt/stable)) : 1;
+    const scalar h = dt/nSub;
+    const pointField x0(s.x);
+
+    vectorField F(type.size()), T(type.size());
+
+    const auto addExternals = [&]()
+    {
+        forAll(F, i)
+        {
+            F[i] +=
+                ext.f[i] - (ext.k[i] & (s.x[i] - x0[i]))
+              - ext.zeta[i]*(s.u[i] - ext.u0[i]);
+            T[i] += ext.t[i] - ext.zetaR[i]*(s.w[i] - ext.w0[i]);
+        }
+    };
+
+    const auto kick = [&]()
+    {
+        forAll(F, i)
+        {
+            s.u[i] += 0.5*h/type.masses()[i]*F[i];
+            s.w[i] += 0.5*h/type.inertias()[i]*T[i];
+        }
+    };
+
+    bondForces(type, s).explicitForces(s, F, T);
+    addExternals();
+
+    for (label sub = 0; sub < nSub; ++sub)
+    {
+        const bondForces bonds(type, s);
+
+        kick();
+        forAll(s.x, i)
+        {
+            s.x[i] += h*s.u[i];
+            s.q[i] = rotation(h*s.w[i])*s.q[i];
+            s.q[i].normalize();
+        }
+        bonds.explicitForces(s, F, T);
+        addExternals();
+        kick();
+
+        bonds.store(s);
+    }
+}

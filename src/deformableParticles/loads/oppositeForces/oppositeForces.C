@@ -1,0 +1,69 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "oppositeForces.H"
+
+namespace Foam
+{
+namespace loads
+{
+    defineTypeNameAndDebug(oppositeForces, 0);
+    addToRunTimeSelectionTable(load, oppositeForces, dictionary);
+}
+}
+
+
+Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
+:
+    load(dict),
+    direction_(dict.get<vector>("direction")),
+    plus_(dict.get<labelList>("plus")),
+    minus_(dict.get<labelList>("minus")),
+    force_(Function1<scalar>::New("force", dict))
+{
+    if (mag(direction_) < VSMALL || plus_.empty() || minus_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "oppositeForces needs a direction that is not zero and one "
+            << "sphere at least in plus and in minus" << exit(FatalIOError);
+    }
+    direction_ /= mag(direction_);
+}
+
+
+void Foam::loads::oppositeForces::check(const label nSpheres) const
+{
+    for (const labelList& spheres : {plus_, minus_})
+    {
+        if (min(spheres) < 0 || max(spheres) >= nSpheres)
+        {
+            FatalErrorInFunction
+                << "Load oppositeForces: entries plus " << plus_
+                << " and minus " << minus_ << " must name spheres 0 to "
+                << nSpheres - 1 << " of clump type " << clumpType()
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::loads::oppositeForces::add
+(
+    const scalar time,
+    const pointField&,
+    integrator::externals& ext
+) const
+{
+    const vector F(force_->value(time)*direction_);
+
+    for (const label i : plus_)
+    {
+        ext.f[i] += F/plus_.size();
+    }
+    for (const label i : minus_)
+    {
+        ext.f[i] -= F/minus_.size();
+    }
+}

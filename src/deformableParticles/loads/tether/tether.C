@@ -1,0 +1,48 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "tether.H"
+
+namespace Foam
+{
+namespace loads
+{
+    defineTypeNameAndDebug(tether, 0);
+    addToRunTimeSelectionTable(load, tether, dictionary);
+}
+}
+
+
+Foam::loads::tether::tether(const dictionary& dict)
+:
+    load(dict),
+    sphere_(dict.get<label>("sphere")),
+    anchor_(dict.get<point>("anchor")),
+    stiffness_(getPositive(dict, "stiffness"))
+{}
+
+
+void Foam::loads::tether::check(const label nSpheres) const
+{
+    if (sphere_ < 0 || sphere_ >= nSpheres)
+    {
+        FatalErrorInFunction
+            << "Load tether: entry sphere " << sphere_ << " must be 0 to "
+            << nSpheres - 1 << " for clump type " << clumpType()
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::loads::tether::add
+(
+    const scalar,
+    const pointField& centres,
+    integrator::externals& ext
+) const
+{
+    ext.f[sphere_] -= stiffness_*(centres[sphere_] - anchor_);
+    ext.k[sphere_] += stiffness_*symmTensor::I;
+}

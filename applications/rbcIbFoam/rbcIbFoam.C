@@ -56,7 +56,7 @@ int main(int argc, char* argv[])
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
 
     stepReport report(runTime, cells);
-    #include "flowNumbers.H"
+    #include "decideConvection.H"
     active.printTable(Info);
 
     Info<< "Starting time loop" << nl << endl;
@@ -65,6 +65,7 @@ int main(int argc, char* argv[])
     {
         #include "readTimeControls.H"
         #include "flowNumbers.H"
+        #include "decideConvection.H"
         #include "setDeltaT.H"
 
         ++runTime;

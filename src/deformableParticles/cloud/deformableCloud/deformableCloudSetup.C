@@ -4,34 +4,42 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "IOdictionary.H"
 #include "placement.H"
 #include "treeDataCell.H"
 #include "uniformDimensionedFields.H"
 
-namespace
-{
-
-//- Constructed before the cloud's other members, which need it
-Foam::IOobject clumpPropertiesIO(const Foam::fvMesh& mesh)
-{
-    return Foam::IOobject
-    (
-        "clumpProperties",
-        mesh.time().constant(),
-        mesh,
-        Foam::IOobject::MUST_READ,
-        Foam::IOobject::NO_WRITE
-    );
-}
-
-}
-
-
 Foam::deformableCloud::deformableCloud(const fvMesh& mesh, const word& name)
+:
+    deformableCloud
+    (
+        mesh,
+        IOdictionary
+        (
+            IOobject
+            (
+                "clumpProperties",
+                mesh.time().constant(),
+                mesh,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE
+            )
+        ),
+        name
+    )
+{}
+
+
+Foam::deformableCloud::deformableCloud
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const word& name
+)
 :
     Cloud<clumpParcel>(mesh, name, false),
     mesh_(mesh),
-    dict_(clumpPropertiesIO(mesh)),
+    dict_(dict),
     effects_(dict_),
     ghosts_(mesh),
     integrator_(selectModel<integrator>(dict_.subDict("integrator"))),
@@ -120,7 +128,7 @@ Foam::deformableCloud::deformableCloud(const fvMesh& mesh, const word& name)
         {
             FatalErrorInFunction
                 << "Clump " << p.origId() << " has type " << p.typeId()
-                << ", but " << dict_.objectPath() << " lists "
+                << ", but " << dict_.name() << " lists "
                 << types_.size() << " types" << exit(FatalError);
         }
     }
@@ -265,7 +273,7 @@ void Foam::deformableCloud::decideEffects()
         {
             effects_.decide("contact", false, "contactModel none");
         }
-        else if (nClumps_ < 2 && ghosts_.images().size() == ghosts_.nOwn())
+        else if (nClumps_ < 2 && !ghosts_.meetsItself())
         {
             effects_.decide("contact", false, "one clump in the domain");
         }

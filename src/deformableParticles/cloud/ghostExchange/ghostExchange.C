@@ -32,6 +32,19 @@ const Foam::boundBox& Foam::ghostExchange::localBox() const
 }
 
 
+bool Foam::ghostExchange::meetsItself() const
+{
+    for (label s = 1; s < shifts_.size(); ++s)
+    {
+        if (mag(shifts_[s]) < 2*reach_)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::ghostExchange::findShifts()
 {
     // Separation of every pair of cyclic patches, known on the processors

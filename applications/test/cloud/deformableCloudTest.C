@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCloud.H"
+#include "wallSurface.H"
+
+using namespace Foam;
+
+TEST_CASE("cloud: a clump outside the mesh is refused", "[cloud]")
+{
+    CHECK_THROWS(testCloud(point(1e-3, 10e-6, 10e-6)));
+
+    // Its centre is inside, a sphere is behind the wall
+    CHECK_THROWS(testCloud(point(10e-6, 0.5e-6, 10e-6)));
+
+    // Across a periodic boundary it is whole
+    CHECK_NOTHROW(testCloud(point(0.1e-6, 10e-6, 10e-6)));
+}
+
+
+TEST_CASE("cloud: free flight through every periodic boundary", "[cloud]")
+{
+    const vector u(0.3, 0, 0.2);
+    testCloud t
+    (
+        point(10e-6, 10e-6, 10e-6), u, Zero, "clump", false
+    );
+    const scalar dt = testTime().deltaTValue();
+
+    // Three periods in x, two in z: back where it came from
+    const label nSteps = round(60e-6/(u.x()*dt));
+    for (label step = 0; step < nSteps; ++step)
+    {
+        t.cloud().evolve();
+    }
+    REQUIRE(t.cloud().nClumps() == 1);
+
+    scalar away = 0;
+    for (const clumpParcel& p : t.cloud())
+    {
+        away = mag(p.position() - point(10e-6, 10e-6, 10e-6));
+        CHECK(mag(p.state().velocity(t.type()) - u) < 1e-10*mag(u));
+    }
+    CHECK(returnReduce(away, maxOp<scalar>()) < 1e-9*20e-6);
+}
+
+
+TEST_CASE("cloud: a collision conserves momentum", "[cloud][contact]")
+{
+    // Head-on across the periodic boundary in x
+    const vector u(0.01, 0, 0);
+    testCloud t(point(14e-6, 10e-6, 10e-6), u, Zero, "clump", false);
+    t.add(point(25e-6 - 20e-6, 10.7e-6, 10.4e-6), -u);
+
+    const scalar size = t.type().mass()*mag(u);
+    const vector before(t.momentum());
+    CHECK(mag(before) < 1e-10*size);
+
+    scalar slowest = mag(u);
+    for (label step = 0; step < 300; ++step)
+    {
+        t.cloud().evolve();
+        scalar speed = 0;
+        for (const clumpParcel& p : t.cloud())
+        {
+            speed = max(speed, mag(p.state().velocity(t.type())));
+        }
+        slowest = min(slowest, returnReduce(speed, maxOp<scalar>()));
+    }
+
+    // They met
+    CHECK(slowest < 0.5*mag(u));
+    CHECK(t.cloud().activeEffects().calls("contact") > 0);
+    CHECK(mag(t.momentum() - before) < 1e-10*size);
+}
+
+
+TEST_CASE("cloud: walls are felt from either side of a processor boundary", "[cloud][walls]")
+{
+    testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "clump", false);
+    const wallSurface walls(testMesh(), t.cloud().ghosts());
+    const scalar r = 2e-6;
+
+    if (walls.empty())
+    {
+        return;
+    }
+
+    // Those near the lower wall of this processor
+    const boundBox& box = t.cloud().ghosts().localBox();
+    if (box.min().y() < 1e-9)
+    {
+        const point x(box.midpoint().x(), 1.5e-6, box.midpoint().z());
+        const auto contacts(walls.contacts(x, r));
+        REQUIRE(contacts.size() == 1);
+        CHECK(mag(contacts[0].normal - vector(0, 1, 0)) < 1e-9);
+        CHECK(contacts[0].overlap == Approx(0.5e-6).epsilon(1e-6));
+        CHECK(walls.distance(x, 1) == Approx(1.5e-6).epsilon(1e-6));
+        CHECK(walls.contacts(x + vector(0, 1e-6, 0), r).empty());
+    }
+}
+
+
+TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
+{
+    testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "clump", false);
+    const effects& active = t.cloud().activeEffects();
+    t.cloud().evolve();
+
+    CHECK(!active.active("contact"));
+    CHECK(!active.active("gravity"));
+    CHECK(!active.active("walls"));
+    CHECK(active.calls("contact") == 0);
+    CHECK(active.calls("walls") == 0);
+
+    t.add(point(10e-6, 10e-6, 13e-6));
+    t.cloud().evolve();
+    t.cloud().evolve();
+    CHECK(active.active("contact"));
+}

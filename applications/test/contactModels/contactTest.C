@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCase.H"
+#include "sphereGrid.H"
+#include "contactModel.H"
+#include "wallContactModel.H"
+#include <array>
+#include <set>
+
+using namespace Foam;
+
+TEST_CASE("contact: the grid finds what all pairs find", "[contact][serial]")
+{
+    PtrList<clumpType> types(1);
+    types.set(0, new clumpType("cell", cellDict()));
+    const clumpType& type = types[0];
+    Random random(15);
+
+    DynamicList<clumpImage> images;
+    for (label a = 0; a < 12; ++a)
+    {
+        const clumpState s(type, randomRotation(random));
+        clumpImage image;
+        image.typeId = 0;
+        image.x = s.x + 8e-6*randomVector(random);
+        image.u = s.u;
+        image.box = boundBox();
+        forAll(image.x, i)
+        {
+            image.box.add(image.x[i] - type.radii()[i]*vector::one);
+            image.box.add(image.x[i] + type.radii()[i]*vector::one);
+        }
+        images.append(image);
+    }
+
+    const label nOwn = 8;
+    std::set<std::array<label, 4>> found, expected;
+    sphereGrid::forEachContact
+    (
+        images, nOwn, types,
+        [&](label a, label i, label b, label j)
+        {
+            const std::array<label, 4> pair{{a, i, b, j}};
+            CHECK(found.insert(pair).second);
+        }
+    );
+
+    for (label a = 0; a < nOwn; ++a)
+    {
+        forAll(images[a].x, i)
+        {
+            forAll(images, b)
+            {
+                forAll(images[b].x, j)
+                {
+                    // Spheres of one clump never touch each other
+                    if
+                    (
+                        a != b
+                     && mag(images[a].x[i] - images[b].x[j])
+                      < type.radii()[i] + type.radii()[j]
+                    )
+                    {
+                        expected.insert({{a, i, b, j}});
+                    }
+                }
+            }
+        }
+    }
+
+    CHECK(!expected.empty());
+    CHECK(found == expected);
+}
+
+
+TEST_CASE("contact: Hertz's law", "[contact][serial]")
+{
+    const auto model
+    (
+        selectModel<contactModel>
+        (
+            dictOf("type hertz; reducedModulus 1000; restitution 1;")
+        )
+    );
+    const scalar r = 2e-6, m = 1e-14;
+
+    // 4/3 E* sqrt(R*) d^1.5, R* = r/2
+    const scalar d = 1e-7;
+    CHECK
+    (
+        model->force(d, 0, r, r, m, m)
+     == Approx(4.0/3.0*1000*Foam::sqrt(0.5*r)*Foam::pow(d, 1.5))
+    );
+
+    // The stiffness is its derivative
+    const scalar h = 1e-11;
+    CHECK
+    (
+        model->stiffness(d, r, r)
+     == Approx
+        (
+            (
+                model->force(d + h, 0, r, r, m, m)
+              - model->force(d - h, 0, r, r, m, m)
+            )/(2*h)
+        ).epsilon(1e-6)
+    );
+}
+
+
+TEST_CASE("contact: coefficient of restitution", "[contact][serial]")
+{
+    // A sphere meets a wall; the law's damping gives back the fraction e of
+    // its speed whatever the speed
+    const scalar e = GENERATE(1.0, 0.8, 0.4);
+    const scalar speed = GENERATE(1e-3, 1e-2);
+    OStringStream os;
+    os << "type hertz; reducedModulus 1000; restitution " << e << ";";
+    const auto model(selectModel<wallContactModel>(dictOf(os.str())));
+
+    const scalar r = 2e-6, m = 1e-14, dt = 1e-10;
+    scalar overlap = 0, approach = speed;
+    do
+    {
+        approach -= dt*model->force(max(overlap, scalar(0)), approach, r, m)/m;
+        overlap += dt*approach;
+    } while (overlap > 0);
+
+    CHECK(-approach/speed == Approx(e).epsilon(0.03));
+}

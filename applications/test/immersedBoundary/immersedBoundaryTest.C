@@ -1,0 +1,144 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCloud.H"
+
+using namespace Foam;
+
+TEST_CASE("boundary: the solid volume is that of the union", "[boundary]")
+{
+    // In the middle, and across the corner of all periodic directions
+    const point centre = GENERATE
+    (
+        point(10e-6, 10e-6, 10e-6), point(0.3e-6, 7.1e-6, 19.6e-6)
+    );
+    const testCloud t(centre);
+    const scalar V =
+        gSum(t.boundary().solidFraction().primitiveField()*testMesh().V());
+
+    CHECK(V == Approx(t.type().volume()).epsilon(0.01));
+}
+
+
+TEST_CASE("boundary: a rigid motion is imposed to round-off", "[boundary]")
+{
+    const vector omega = GENERATE(vector(0, 0, 70), vector(70, 40, -20));
+    const point centre(0.3e-6, 7.1e-6, 19.6e-6);
+    const vector u(1e-3, 2e-3, -1e-3);
+    testCloud t(centre, u, omega);
+
+    const fvMesh& mesh = testMesh();
+    const vector span(20e-6, GREAT, 20e-6);
+    scalar worst = 0, dilation = 0;
+    label solid = 0;
+
+    forAll(mesh.C(), celli)
+    {
+        if (t.boundary().solidFraction()[celli] > 0)
+        {
+            vector r(mesh.C()[celli] - centre);
+            r.x() -= span.x()*std::round(r.x()/span.x());
+            r.z() -= span.z()*std::round(r.z()/span.z());
+
+            const vector exact(u + (omega ^ r));
+            worst = max
+            (
+                worst, mag(t.boundary().solidVelocity()[celli] - exact)
+            );
+            dilation = max(dilation, mag(t.boundary().dilation()[celli]));
+            ++solid;
+        }
+    }
+    CHECK(returnReduce(worst, maxOp<scalar>()) < 1e-12*mag(u));
+
+    // A rigid motion does not dilate
+    CHECK(returnReduce(dilation, maxOp<scalar>()) < 1e-10*mag(omega));
+    CHECK(returnReduce(solid, sumOp<label>()) > 100);
+}
+
+
+TEST_CASE("boundary: third law, and forces the transpose of velocities", "[boundary][adjoint]")
+{
+    const word rotation = GENERATE(word("none"), word("perSphere"), word("clump"));
+    testCloud t
+    (
+        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), vector(30, 20, 10),
+        rotation
+    );
+    t.deform(0.1);
+
+    const fvMesh& mesh = testMesh();
+    const scalar rho = 1025;
+
+    // Any flow and pressure
+    volVectorField U
+    (
+        IOobject("U", testTime().timeName(), mesh),
+        mesh, dimensionedVector(dimVelocity, Zero)
+    );
+    volScalarField p
+    (
+        IOobject("p", testTime().timeName(), mesh),
+        mesh, dimensionedScalar(sqr(dimVelocity), Zero)
+    );
+    forAll(U, celli)
+    {
+        const vector x(3e5*mesh.C()[celli]);
+        U[celli] = 1e-3*vector
+        (
+            Foam::sin(x.y() + x.z()), Foam::cos(x.x()), Foam::sin(x.x()*x.y())
+        );
+        p[celli] = 1e-3*Foam::cos(x.x() + 2*x.y() - x.z());
+    }
+
+    t.immerse();
+    const volVectorField us(t.boundary().solidVelocity());
+    const scalarField S(t.boundary().strength());
+    t.cloud().gather(U, p);
+
+    const vector onFluid(t.boundary().forceOnFluid(U, rho));
+    const vector onClump(t.sumForces());
+    CHECK(mag(onFluid) > 0);
+    CHECK(mag(onFluid + onClump) < 1e-12*mag(onFluid));
+
+    // Power for other velocities, particle side and fluid side
+    const scalar size = t.sumMagForces()*1e-3;
+    t.changeVelocities();
+    const scalar particleSide = t.power();
+    t.immerse();
+
+    const scalarField V(mesh.V());
+    const scalar pMean = gSum(V*p.primitiveField())/gSum(V);
+    const scalar fluidSide = gSum
+    (
+        rho*V
+       *(
+            S*
+            (
+                (U.primitiveField() - us.primitiveField())
+              & t.boundary().solidVelocity().primitiveField()
+            )
+          - (p.primitiveField() - pMean)
+           *t.boundary().dilation().primitiveField()
+        )
+    );
+    CHECK(mag(particleSide - fluidSide) < 1e-11*size);
+}
+
+
+TEST_CASE("boundary: two clumps in a cell share it", "[boundary]")
+{
+    // The second one overlaps the first by half a radius
+    testCloud t(point(10e-6, 10e-6, 10e-6));
+    t.add(point(10e-6, 10e-6, 13e-6));
+    t.immerse();
+
+    CHECK
+    (
+        gMax(t.boundary().solidFraction().primitiveField())
+     == Approx(1).epsilon(1e-12)
+    );
+}

@@ -1,0 +1,254 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCase.H"
+#include "implicitEuler.H"
+#include "velocityVerlet.H"
+
+using namespace Foam;
+
+namespace
+{
+
+autoPtr<integrator> implicitOne()
+{
+    return selectModel<integrator>
+    (
+        dictOf("type implicitEuler; tolerance 1e-9; maxIterations 100;")
+    );
+}
+
+autoPtr<integrator> explicitOne()
+{
+    return selectModel<integrator>
+    (
+        dictOf("type velocityVerlet; stepFraction 0.2;")
+    );
+}
+
+scalar energy(const clumpType& type, const clumpState& s)
+{
+    vectorField F(type.size()), T(type.size());
+    return
+        s.kineticEnergy(type) + bondForces(type, s).stepForces(s, -1, F, T);
+}
+
+}
+
+
+TEST_CASE("integrators: passive motion never gains energy", "[energy][serial]")
+{
+    const scalar dt = GENERATE(1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3);
+    const string damping = GENERATE
+    (
+        "type none;", "type dampingRatio; beta 1500;",
+        "type kelvinVoigt; timeConstant 0.08;"
+    );
+    const clumpType type("cell", cellDict(damping));
+    const autoPtr<integrator> euler(implicitOne());
+    Random random(8);
+
+    clumpState s(type);
+    disturb(type, s, 0.3, random);
+    const integrator::externals nothing(type.size());
+    const scalar first = energy(type, s);
+    scalar before = first;
+
+    for (label step = 0; step < 100; ++step)
+    {
+        euler->advance(type, nothing, dt, s);
+        const scalar now = energy(type, s);
+        REQUIRE(now <= before + 1e-12*first);
+        before = now;
+    }
+}
+
+
+TEST_CASE("integrators: momentum changes by the impulse alone", "[momentum][serial]")
+{
+    const clumpType type("cell", cellDict());
+    const autoPtr<integrator> method
+    (
+        GENERATE(true, false) ? implicitOne() : explicitOne()
+    );
+    Random random(9);
+
+    clumpState s(type);
+    disturb(type, s, 0.2, random);
+    const clumpState start(s);
+
+    const auto angular = [&](const clumpState& c)
+    {
+        return c.angularMomentum(type);
+    };
+
+    integrator::externals ext(type.size());
+    SECTION("free")
+    {}
+    SECTION("forced")
+    {
+        forAll(ext.f, i)
+        {
+            ext.f[i] = 1e-12*randomVector(random);
+        }
+    }
+
+    const scalar dt = 1e-6;
+    const scalar size = type.mass()*max(mag(s.u));
+    vector torque(Zero);
+
+    for (label step = 0; step < 20; ++step)
+    {
+        const clumpState before(s);
+        method->advance(type, ext, dt, s);
+        const point centre(s.centre(type));
+        forAll(ext.f, i)
+        {
+            torque += (s.x[i] - centre) ^ ext.f[i];
+        }
+    }
+
+    const vector P(type.mass()*(s.velocity(type) - start.velocity(type)));
+    CHECK(mag(P - 20*dt*sum(ext.f)) < 1e-11*size);
+
+    if (mag(torque) == 0)
+    {
+        CHECK(mag(angular(s) - angular(start)) < 1e-11*size*type.reach());
+    }
+}
+
+
+TEST_CASE("integrators: implicit and explicit agree on small steps", "[verlet][serial]")
+{
+    const clumpType type("cell", cellDict("type kelvinVoigt; timeConstant 1e-6;"));
+    Random random(10);
+
+    clumpState a(type);
+    forAll(a.u, i)
+    {
+        a.u[i] = 0.1*randomVector(random);
+    }
+    clumpState b(a), c(a);
+    const clumpState start(a);
+    const integrator::externals nothing(type.size());
+
+    // First order: half the step, half the error
+    const scalar t = 2e-6;
+    for (label k = 0; k < 100; ++k)
+    {
+        implicitOne()->advance(type, nothing, t/100, a);
+    }
+    for (label k = 0; k < 200; ++k)
+    {
+        implicitOne()->advance(type, nothing, t/200, b);
+    }
+    for (label k = 0; k < 1000; ++k)
+    {
+        explicitOne()->advance(type, nothing, t/1000, c);
+    }
+
+    const scalar moved = max(mag(c.x - start.x));
+    const scalar coarse = max(mag(a.x - c.x))/moved;
+    const scalar fine = max(mag(b.x - c.x))/moved;
+
+    CHECK(fine < 0.01);
+    CHECK(coarse/fine == Approx(2).epsilon(0.1));
+}
+
+
+TEST_CASE("integrators: equilibrium does not depend on the step", "[equilibrium][serial]")
+{
+    const clumpType type("cell", cellDict("type kelvinVoigt; timeConstant 1e-3;"));
+    integrator::externals ext(type.size());
+    ext.f[0] = vector(100e-12, 0, 0);
+    ext.f[5] = -ext.f[0];
+
+    const auto stretched = [&](const scalar dt, const scalar t)
+    {
+        clumpState s(type);
+        for (scalar now = 0; now < t; now += dt)
+        {
+            implicitOne()->advance(type, ext, dt, s);
+        }
+        return mag(s.x[0] - s.x[5]);
+    };
+
+    const scalar coarse = stretched(1e-3, 0.3);
+    CHECK(stretched(1e-4, 0.1) == Approx(coarse).epsilon(1e-6));
+
+    // 100 pN: between rest and twice the diameter
+    CHECK(coarse > 1.5*2*1.955e-6);
+}
+
+
+TEST_CASE("integrators: undamped velocity-Verlet keeps its energy", "[verlet][serial]")
+{
+    const clumpType type("cell", cellDict("type none;"));
+    Random random(11);
+    clumpState start(type);
+    forAll(start.u, i)
+    {
+        start.u[i] = 0.02*randomVector(random);
+    }
+    const scalar first = energy(type, start);
+    const integrator::externals nothing(type.size());
+
+    // Bounded, and second order: half the step, a quarter of the error
+    const auto worst = [&](const string& fraction)
+    {
+        const auto verlet
+        (
+            selectModel<integrator>
+            (
+                dictOf("type velocityVerlet; stepFraction " + fraction + ";")
+            )
+        );
+        clumpState s(start);
+        scalar error = 0;
+        for (label k = 0; k < 200; ++k)
+        {
+            verlet->advance(type, nothing, 1e-6, s);
+            error = max(error, mag(energy(type, s) - first));
+        }
+        return error/first;
+    };
+
+    const scalar coarse = worst("0.1");
+    CHECK(coarse < 0.02);
+    CHECK(coarse/worst("0.05") == Approx(4).epsilon(0.25));
+}
+
+
+TEST_CASE("integrators: coincident and inverted spheres are no singularity", "[hard][serial]")
+{
+    const clumpType type("cell", cellDict("type kelvinVoigt; timeConstant 1e-3;"));
+    clumpState s(type);
+
+    SECTION("all spheres at one point")
+    {
+        s.x = Zero;
+    }
+    SECTION("flattened to a line")
+    {
+        for (point& p : s.x)
+        {
+            p.y() = p.z() = 0;
+        }
+    }
+    SECTION("turned inside out")
+    {
+        s.x *= -0.5;
+    }
+
+    const integrator::externals nothing(type.size());
+    const scalar before = energy(type, s);
+    for (label step = 0; step < 200; ++step)
+    {
+        implicitOne()->advance(type, nothing, 1e-4, s);
+    }
+    CHECK(energy(type, s) < 0.5*before);
+    CHECK(max(mag(s.x - s.centre(type))) < 2*type.reach());
+}

@@ -1,0 +1,122 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+-------------------------------------------------------------------------------
+Application
+    testDeformableParticles
+
+Description
+    Unit tests, serial and parallel:
+
+        testDeformableParticles <catch arguments> --- <OpenFOAM arguments>
+        mpirun -np 2 testDeformableParticles "~[serial]" --- -case box -parallel
+
+    Tests tagged [serial] make no sense on several ranks. A fatal error is an
+    exception, the result is the worst of all ranks, a rank that fails prints
+    its report, and the status is non-zero when any failed.
+\*---------------------------------------------------------------------------*/
+
+#define CATCH_CONFIG_RUNNER
+#include "catch2/catch.hpp"
+
+#include "testCase.H"
+#include "OSspecific.H"
+#include <fstream>
+#include <memory>
+#include <iostream>
+
+using namespace Foam;
+
+namespace
+{
+    Time* timePtr = nullptr;
+    fvMesh* meshPtr = nullptr;
+}
+
+CATCH_TRANSLATE_EXCEPTION(const Foam::error& e)
+{
+    return e.message();
+}
+
+Time& Foam::testTime() { return *timePtr; }
+fvMesh& Foam::testMesh() { return *meshPtr; }
+
+
+int main(int argc, char* argv[])
+{
+    // Catch's arguments end at ---
+    std::vector<char*> catchArgs, foamArgs;
+    catchArgs.push_back(argv[0]);
+    foamArgs.push_back(argv[0]);
+    bool foams = false;
+    for (int i = 1; i < argc; ++i)
+    {
+        if (std::string(argv[i]) == "---")
+        {
+            foams = true;
+        }
+        else
+        {
+            (foams ? foamArgs : catchArgs).push_back(argv[i]);
+        }
+    }
+
+    int foamArgc = int(foamArgs.size());
+    char** foamArgv = foamArgs.data();
+
+    argList::noBanner();
+    argList args(foamArgc, foamArgv);
+
+    std::unique_ptr<Catch::Session> session(new Catch::Session);
+    int status =
+        session->applyCommandLine(int(catchArgs.size()), catchArgs.data());
+
+    if (status == 0)
+    {
+        Time runTime(Time::controlDictName, args);
+        fvMesh mesh
+        (
+            IOobject
+            (
+                fvMesh::defaultRegion, runTime.timeName(), runTime,
+                IOobject::MUST_READ
+            )
+        );
+        timePtr = &runTime;
+        meshPtr = &mesh;
+
+        FatalError.throwExceptions();
+        FatalIOError.throwExceptions();
+
+        // Every rank reports into a file of its own
+        const fileName report
+        (
+            cwd()/("log.rank" + Foam::name(Pstream::myProcNo()))
+        );
+        if (Pstream::parRun())
+        {
+            session->configData().outputFilename = report;
+        }
+        session->configData().runOrder = Catch::RunTests::InDeclarationOrder;
+        status = session->run() ? 1 : 0;
+
+        // Closes the report
+        session.reset();
+
+        if (Pstream::parRun())
+        {
+            if (status || Pstream::master())
+            {
+                std::cout
+                    << "rank " << Pstream::myProcNo() << ":\n"
+                    << std::ifstream(report).rdbuf() << std::flush;
+            }
+            rm(report);
+            reduce(status, maxOp<int>());
+        }
+    }
+
+    // v1912's MPI finalisation would turn any status into 0
+    UPstream::exit(status);
+    return status;
+}

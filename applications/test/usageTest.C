@@ -1,0 +1,201 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+-------------------------------------------------------------------------------
+Description
+    Every usage dictionary in the library's headers is run: the models are
+    selected from them. The headers are found through $DEFORMABLE_SRC.
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCase.H"
+#include "shape.H"
+#include "placement.H"
+#include "conservationModel.H"
+#include "integrator.H"
+#include "contactModel.H"
+#include "wallContactModel.H"
+#include "load.H"
+#include "solidFractionModel.H"
+#include "forcingModel.H"
+#include "hydrodynamicForceModel.H"
+#include "rotationModel.H"
+#include "exchangeModel.H"
+#include "OSspecific.H"
+#include "IFstream.H"
+
+using namespace Foam;
+
+namespace
+{
+
+//- The dictionaries between \verbatim and \endverbatim after Usage
+dictionary usageOf(const fileName& header)
+{
+    IFstream is(header);
+    string line, text;
+    bool usage = false, inside = false;
+
+    while (is.good())
+    {
+        is.getLine(line);
+        if (line == "Usage")
+        {
+            usage = true;
+        }
+        else if (line.find("Usage") == 4 || line.find("Usage,") == 4)
+        {
+            usage = true;
+        }
+        else if (usage && line.find("\\verbatim") != string::npos)
+        {
+            inside = true;
+        }
+        else if (line.find("\\endverbatim") != string::npos)
+        {
+            usage = inside = false;
+        }
+        else if (inside)
+        {
+            text += line + "\n";
+        }
+    }
+    return dictOf(text);
+}
+
+
+template<class Model, class... Args>
+void run(const fileName& folder, const Args&... args)
+{
+    const fileName src(getEnv("DEFORMABLE_SRC"));
+    label n = 0;
+
+    for (const fileName& name : readDir(src/folder, fileName::DIRECTORY))
+    {
+        const fileName header(src/folder/name/name + ".H");
+        const dictionary usage(usageOf(header));
+
+        for (const entry& e : usage)
+        {
+            // Loads stand one level deeper
+            const dictionary& d =
+                e.dict().found("type")
+              ? e.dict()
+              : e.dict().subDict(e.dict().toc()[0]);
+
+            INFO(header << ": " << e.keyword());
+            CHECK_NOTHROW(selectModel<Model>(d, args...));
+            ++n;
+        }
+    }
+
+    // Every family has two models at least
+    INFO(src/folder);
+    CHECK(n >= 2);
+}
+
+}
+
+
+TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
+{
+    REQUIRE(isDir(getEnv("DEFORMABLE_SRC")));
+
+    run<clumpShapes::shape>("clump/shapes");
+    run<bondModel>("bondModels");
+    run<dampingModel>("dampingModels");
+    run<integrator>("integrators");
+    run<contactModel>("contactModels");
+    run<wallContactModel>("wallContactModels");
+    run<load>("loads");
+    run<solidFractionModel>("immersedBoundary/solidFractionModels");
+    run<forcingModel>("immersedBoundary/forcingModels");
+    run<hydrodynamicForceModel>("immersedBoundary/hydrodynamicForceModels");
+    run<rotationModel>("immersedBoundary/rotationModels");
+    run<exchangeModel>("immersedBoundary/exchangeModels");
+
+    const clumpType cell("cell", cellDict());
+    run<conservationModel>("conservationModels", cell.centres());
+}
+
+
+TEST_CASE("usage: placement", "[usage][serial]")
+{
+    PtrList<clumpType> types(1);
+    types.set(0, new clumpType("healthy", cellDict()));
+    HashTable<label> ids;
+    ids.insert("healthy", 0);
+
+    SECTION("random packing does not overlap and reaches its haematocrit")
+    {
+        const dictionary dict
+        (
+            dictOf
+            (
+                "type random; clumpType healthy; haematocrit 0.1;"
+                "min (0 0 0); max (3e-5 3e-5 3e-5); periodic (1 0 1); seed 3;"
+            )
+        );
+        const placement packed(dict, types, ids);
+        CHECK
+        (
+            packed.clumps().size()*types[0].volume()
+         == Approx(0.1*2.7e-14).epsilon(0.05)
+        );
+
+        scalar nearest = GREAT;
+        const auto& clumps = packed.clumps();
+        forAll(clumps, a)
+        {
+            for (label b = a + 1; b < clumps.size(); ++b)
+            {
+                for (const point& x : clumps[a].state.x)
+                {
+                    for (const point& y : clumps[b].state.x)
+                    {
+                        vector d
+                        (
+                            clumps[a].position + x - clumps[b].position - y
+                        );
+                        d.x() -= 3e-5*std::round(d.x()/3e-5);
+                        d.z() -= 3e-5*std::round(d.z()/3e-5);
+                        nearest = min(nearest, mag(d));
+                    }
+                }
+            }
+        }
+        CHECK(nearest >= 2*1.955e-6);
+    }
+
+    SECTION("lattice")
+    {
+        const placement lattice
+        (
+            dictOf
+            (
+                "type lattice; clumpType healthy; origin (5e-6 5e-6 5e-6);"
+                "spacing (1e-5 1e-5 5e-6); number (4 4 2);"
+            ),
+            types, ids
+        );
+        CHECK(lattice.clumps().size() == 32);
+        CHECK(mag(lattice.clumps()[31].position - point(35e-6, 35e-6, 10e-6)) < 1e-12);
+    }
+
+    SECTION("too dense")
+    {
+        CHECK_THROWS
+        (
+            placement
+            (
+                dictOf
+                (
+                    "type random; clumpType healthy; haematocrit 0.9;"
+                    "min (0 0 0); max (2e-5 2e-5 2e-5); periodic (1 1 1);"
+                    "seed 1;"
+                ),
+                types, ids
+            )
+        );
+    }
+}

@@ -233,7 +233,8 @@ void Foam::immersedBoundary::update
     forAll(images, a)
     {
         const clumpImage& image = images[a];
-        cover& c = covers_[a];
+        const cover& c = covers_[a];
+        const scalarField& radii = types_[image.typeId].radii();
         const label n = image.x.size();
 
         forAll(c.cells, k)
@@ -242,9 +243,11 @@ void Foam::immersedBoundary::update
             const point& x = mesh_.cellCentres()[celli];
             const scalar total = solidFraction_[celli];
             const scalar share = c.lambda[k]/total;
+            scalar radius = 0;
 
             for (label i = 0; i < n; ++i)
             {
+                radius += c.weights[n*k + i]*radii[i];
                 const vector u(image.u[i] + (image.spin[i] ^ (x - image.x[i])));
                 solidVelocity_[celli] += share*c.weights[n*k + i]*u;
 
@@ -260,7 +263,8 @@ void Foam::immersedBoundary::update
                 min(total, scalar(1)),
                 dt,
                 nu[celli],
-                Foam::cbrt(mesh_.V()[celli])
+                Foam::cbrt(mesh_.V()[celli]),
+                radius
             );
         }
     }

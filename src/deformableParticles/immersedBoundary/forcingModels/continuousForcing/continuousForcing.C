@@ -32,7 +32,8 @@ Foam::scalar Foam::forcingModels::continuousForcing::strength
     const scalar lambda,
     const scalar dt,
     const scalar nu,
-    const scalar dx
+    const scalar dx,
+    const scalar
 ) const
 {
     return lambda/min(dt, maxDiffusion_*sqr(dx)/nu);

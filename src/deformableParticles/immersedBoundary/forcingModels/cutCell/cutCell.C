@@ -18,6 +18,13 @@ namespace forcingModels
 Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
 :
     cut_(getPositive(dict, "cutCoefficient")),
+    curvature_
+    (
+        dict.getCheckOrDefault<scalar>
+        (
+            "curvatureCoefficient", 0, [](scalar x){ return x >= 0; }
+        )
+    ),
     full_(getPositive(dict, "fullCoefficient"))
 {}
 
@@ -27,11 +34,14 @@ Foam::scalar Foam::forcingModels::cutCell::strength
     const scalar lambda,
     const scalar dt,
     const scalar nu,
-    const scalar dx
+    const scalar dx,
+    const scalar radius
 ) const
 {
     const scalar diffusion = nu/sqr(dx);
     const scalar full = max(1/dt, full_*diffusion);
 
-    return lambda/(lambda/full + (1 - lambda)/(cut_*diffusion));
+    const scalar cut = cut_*(1 + curvature_*dx/radius)*diffusion;
+
+    return lambda/(lambda/full + (1 - lambda)/cut);
 }

@@ -1,0 +1,127 @@
+"""Drag of spheres held in a periodic slit at zero Reynolds number, without a mesh.
+
+The spheres' mobilities in free space are those of Rotne, Prager and Yamakawa, with the form of Wajnryb et al.
+(J. Fluid Mech. 731 (2013) R3, doi:10.1017/jfm.2013.402) for overlapping spheres. Walls at y = +-H and periods in x
+and z enter as the difference between the velocity of a force in the slit and in free space, which is smooth: both
+are those of a Gaussian force, the first by Fourier series in x and z and Chebyshev collocation in y,
+
+    mu (D^2 - k^2)^2 v = i kx D f,     mu (D^2 - k^2) eta = -i kz f,     u = i (kx D v - kz eta)/k^2
+
+with v = D v = eta = 0 at the walls; the mean flow (k = 0) keeps its flux.
+"""
+
+import numpy as np
+
+
+def chebyshev(n):
+    """Points on [-1, 1] and the differentiation matrix (Trefethen, Spectral Methods in Matlab, 2000)."""
+    x = np.cos(np.pi*np.arange(n + 1)/n)
+    c = np.hstack([2, np.ones(n - 1), 2])*(-1)**np.arange(n + 1)
+    X = np.tile(x, (n + 1, 1)).T
+    D = np.outer(c, 1/c)/(X - X.T + np.eye(n + 1))
+    return x, D - np.diag(D.sum(axis=1))
+
+
+class Slit:
+    """Velocity along x at mid-height, per force along x at mid-height, in the slit minus in free space."""
+
+    def __init__(self, mu, lx, height, lz, width=1.5, n=64):
+        self.mu, self.lx, self.lz, self.width = mu, lx, lz, width
+        h = height/2
+        points, D = chebyshev(n)
+        y, D = h*points, D/h
+        D2 = D @ D
+        inner = slice(1, n)
+        middle = n//2
+        f = np.exp(-y**2/(2*width**2))/(np.sqrt(2*np.pi)*width)
+
+        # v = (1 - (y/h)^2) q builds in v = D v = 0 with q = 0 at the walls
+        s = 1 - points[inner]**2
+        D4 = (np.diag(1 - points**2) @ np.linalg.matrix_power(D, 4)
+              - np.diag(8*points/h) @ np.linalg.matrix_power(D, 3) - 12/h**2*D2)[inner, inner] @ np.diag(1/s)
+
+        # Flux-free mean flow: mu u'' = -f + G
+        u = np.zeros((2, n + 1))
+        A = self.mu*D2[inner, inner]
+        u[0, inner] = np.linalg.solve(A, -f[inner])
+        u[1, inner] = np.linalg.solve(A, np.ones(n - 1))
+        weights = np.linalg.lstsq(np.vander(points, n + 1, increasing=True).T,
+                                  np.array([(1 - (-1)**(j + 1))/(j + 1) for j in range(n + 1)]), rcond=None)[0]
+        flux = u @ weights
+        self.mean = (u[0] - flux[0]/flux[1]*u[1])[middle]/(lx*lz)
+
+        self.modes = []
+        top = 4.5/width
+        for i in range(int(top*lx/(2*np.pi)) + 1):
+            for j in range(int(top*lz/(2*np.pi)) + 1):
+                kx, kz = 2*np.pi*i/lx, 2*np.pi*j/lz
+                k2 = kx**2 + kz**2
+                if k2 == 0:
+                    continue
+                g = f*np.exp(-k2*width**2/2)
+                L = D2[inner, inner] - k2*np.eye(n - 1)
+                biharmonic = D4 - 2*k2*D2[inner, inner] + k2**2*np.eye(n - 1)
+                v, eta = np.zeros(n + 1), np.zeros(n + 1)
+                v[inner] = np.linalg.solve(self.mu*biharmonic, kx*(D @ g)[inner])
+                eta[inner] = np.linalg.solve(self.mu*L, -kz*g[inner])
+                # v and eta stand for i v and i eta
+                value = -(kx*(D @ v)[middle] - kz*eta[middle])/k2
+                self.modes.append((kx, value*(2 if i else 1)*(2 if j else 1)/(lx*lz)))
+
+    def free(self, dx):
+        """Velocity of the Gaussian force in free space, along its direction."""
+        from math import erf, exp, pi, sqrt
+        r = abs(dx)/(sqrt(2)*self.width)
+        if r < 1e-3:
+            return 2/(3*sqrt(pi))/(sqrt(2)*self.width)/(pi*self.mu)/2
+        a, b = erf(r), 2*r*exp(-r**2)/sqrt(pi)
+        # [(1 + 1/(2 r^2)) + (1 - 3/(2 r^2))] erf + ... along the force
+        return (2*a - (a - b)/r**2)/(8*pi*self.mu*abs(dx))
+
+    def correction(self, dx):
+        waves = sum(value*np.cos(kx*dx) for kx, value in self.modes)
+        return self.mean + waves - self.free(dx)
+
+
+def rotne_prager(x, a, mu):
+    """Translational mobility matrix of spheres at x with radii a."""
+    n = len(a)
+    M = np.zeros((3*n, 3*n))
+    for i in range(n):
+        for j in range(n):
+            d = x[i] - x[j]
+            r = np.linalg.norm(d)
+            big, small = max(a[i], a[j]), min(a[i], a[j])
+            if r <= big - small:
+                m = np.eye(3)/(6*np.pi*mu*big)
+            else:
+                e = np.outer(d, d)/r**2
+                if r > a[i] + a[j]:
+                    s = (a[i]**2 + a[j]**2)/r**2
+                    m = ((1 + s/3)*np.eye(3) + (1 - s)*e)/(8*np.pi*mu*r)
+                else:
+                    t = (a[i] - a[j])**2
+                    m = ((16*r**3*(a[i] + a[j]) - (t + 3*r**2)**2)/(32*r**3)*np.eye(3)
+                         + 3*(t - r**2)**2/(32*r**3)*e)/(6*np.pi*mu*a[i]*a[j])
+            M[3*i:3*i + 3, 3*j:3*j + 3] = m
+    return M
+
+
+def drag(x, a, mu, flow, correction=lambda dx: 0):
+    """Forces along x on spheres held at x in the flow u(y) along x."""
+    n = len(a)
+    M = rotne_prager(x, a, mu)
+    for i in range(n):
+        for j in range(n):
+            M[3*i, 3*j] += correction(x[i][0] - x[j][0])
+    u = np.zeros(3*n)
+    u[0::3] = [flow(p[1], r) for p, r in zip(x, a)]
+    return np.linalg.solve(M, u)[0::3]
+
+
+if __name__ == '__main__':
+    # Checks: no slip of a lone sphere; wall correction of Faxen, k = 1.004; Hasimoto-like decay
+    mu = 1.2e-3
+    wide = Slit(mu, 400, 50, 400)
+    wall = -wide.correction(0)*6*np.pi*mu*25
+    print('walls alone, F/F_inf - 1 per a/H: %.4f (Faxen 1.004)' % wall)

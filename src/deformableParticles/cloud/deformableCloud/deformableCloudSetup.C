@@ -134,6 +134,10 @@ Foam::deformableCloud::deformableCloud
     }
 
     ghosts_.update(*this);
+    if (wet())
+    {
+        immersedBoundary_->checkResolution(ghosts_.images());
+    }
     decideEffects();
 }
 

@@ -205,6 +205,19 @@ void Foam::immersedBoundary::clearCovered()
 }
 
 
+void Foam::immersedBoundary::checkResolution
+(
+    const UList<clumpImage>& images
+) const
+{
+    for (const clumpImage& image : images)
+    {
+        cover c;
+        findCover(image, c);
+    }
+}
+
+
 void Foam::immersedBoundary::update
 (
     const UList<clumpImage>& images,

@@ -35,6 +35,19 @@ scalar moveBy
     return moved;
 }
 
+//- Size of a gradient, torques as forces at a sphere's surface [N]
+scalar size(const clumpType& type, const Eigen::VectorXd& gradient)
+{
+    scalar sum = 0;
+    for (label i = 0; i < type.size(); ++i)
+    {
+        sum +=
+            gradient.segment<3>(6*i).squaredNorm()
+          + gradient.segment<3>(6*i + 3).squaredNorm()/sqr(type.radii()[i]);
+    }
+    return Foam::sqrt(sum);
+}
+
 }
 
 
@@ -121,8 +134,7 @@ bool Foam::newtonMinimiser::minimise
         step = -gradient;
         K.solve(step);
 
-        // Below this the potential is flat to rounding
-        const scalar fall = -gradient.dot(step);
+        const scalar force = size(potential.type(), gradient);
         before = s;
         const scalar before0 = W;
         scalar fraction = 1;
@@ -133,11 +145,13 @@ bool Foam::newtonMinimiser::minimise
             moved = moveBy(potential.type(), before, step, fraction, s);
             W = potential.value(s, &gradient);
 
+            // Close to the minimum the potential is flat to rounding long before
+            // its gradient is
             if
             (
                 W <= before0
              || moved <= tolerance_
-             || fraction*fall < 1e-11*(mag(W) + mag(before0))
+             || (moved < 1e-3 && size(potential.type(), gradient) < force)
             )
             {
                 break;

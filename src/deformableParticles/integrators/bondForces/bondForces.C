@@ -149,7 +149,7 @@ Foam::bondForces::response Foam::bondForces::elastic
     r.m = k.torsional*torsion*e + k.bending*bending;
     r.energy =
         axial.energy
-      + shear*(length - (d & e))
+      + 0.5*shear*length*magSqr(r.t - e)
       + 0.5*(k.torsional*sqr(torsion) + k.bending*magSqr(bending));
 
     r.axial = axial.force;

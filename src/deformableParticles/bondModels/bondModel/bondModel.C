@@ -15,14 +15,22 @@ namespace Foam
 
 Foam::bondModel::bondModel(const dictionary& dict)
 :
-    youngModulus_(getPositive(dict, "youngModulus")),
-    shearModulus_(getPositive(dict, "shearModulus"))
+    given_(dict.found("rigidities")),
+    youngModulus_(given_ ? 1 : getPositive(dict, "youngModulus")),
+    shearModulus_(given_ ? 1 : getPositive(dict, "shearModulus"))
 {
-    const dictionary& f = dict.subDict("multipliers");
-    multipliers_.normal = getPositive(f, "normal");
-    multipliers_.tangential = getNonNegative(f, "tangential");
-    multipliers_.bending = getNonNegative(f, "bending");
-    multipliers_.torsional = getNonNegative(f, "torsional");
+    if (given_ && (dict.found("youngModulus") || dict.found("multipliers")))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give either rigidities or youngModulus, shearModulus and "
+            << "multipliers" << exit(FatalIOError);
+    }
+
+    const dictionary& f = dict.subDict(given_ ? "rigidities" : "multipliers");
+    factors_.normal = getPositive(f, "normal");
+    factors_.tangential = getNonNegative(f, "tangential");
+    factors_.bending = getNonNegative(f, "bending");
+    factors_.torsional = getNonNegative(f, "torsional");
 }
 
 
@@ -32,15 +40,16 @@ Foam::bondCoefficients Foam::bondModel::stiffness
     const scalar radius
 ) const
 {
-    const scalar A = constant::mathematical::pi*sqr(radius);
-    const scalar I = A*sqr(radius)/4;
+    const scalar A = given_ ? 1 : constant::mathematical::pi*sqr(radius);
+    const scalar I = given_ ? 1 : A*sqr(radius)/4;
+    const scalar J = given_ ? 1 : 2*I;
 
     return
     {
-        multipliers_.normal*youngModulus_*A/length,
-        multipliers_.tangential*shearModulus_*A/length,
-        multipliers_.bending*youngModulus_*I/length,
-        multipliers_.torsional*shearModulus_*2*I/length
+        factors_.normal*youngModulus_*A/length,
+        factors_.tangential*shearModulus_*A/length,
+        factors_.bending*youngModulus_*I/length,
+        factors_.torsional*shearModulus_*J/length
     };
 }
 

@@ -28,6 +28,41 @@ Foam::quaternion Foam::rotation(const vector& v)
 }
 
 
+namespace
+{
+
+//- x/sin(x) and the series of its remainder, both functions of t = sin^2(x/2):
+//  x/sin(x) = 1 + t g, g = sum of a_k t^(k - 1), a_k = a_(k - 1) 2k/(2k + 1)
+inline void halfAngleOverSine
+(
+    const Foam::scalar t,
+    const Foam::scalar halfAngle,
+    Foam::scalar& f,
+    Foam::scalar& g
+)
+{
+    // Beyond, in bonds turned by more than 1.3 rad, the series is slow
+    if (t > 0.1)
+    {
+        f = halfAngle/Foam::sin(halfAngle);
+        g = (f - 1)/t;
+        return;
+    }
+
+    // Terms until they fall below rounding
+    Foam::scalar term = 2.0/3.0;
+    g = term;
+    for (int k = 2; term > 1e-17 && k < 20; ++k)
+    {
+        term *= t*2*k/(2*k + 1.0);
+        g += term;
+    }
+    f = 1 + t*g;
+}
+
+}
+
+
 Foam::bondFrame::bondFrame
 (
     const point& xi,
@@ -36,27 +71,74 @@ Foam::bondFrame::bondFrame
     const quaternion& qj
 )
 {
-    const quaternion relative(conjugate(qi)*qj);
-    psi_ = rotationVector(relative);
+    // Relative rotation, of the two quaternions the one below 180 degrees
+    const vector& a = qi.v();
+    const vector& b = qj.v();
+    scalar w = qi.w()*qj.w() + (a & b);
+    const scalar sign = w < 0 ? -1 : 1;
+    w *= sign;
+    const vector v(sign*(qi.w()*b - qj.w()*a - (a ^ b)));
 
-    quaternion mean(qi*rotation(0.5*psi_));
-    mean.normalize();
-    R_ = mean.R();
-    d_ = R_.T() & (xj - xi);
+    // t = sin^2(theta/4) without cancellation
+    const scalar s2 = magSqr(v);
+    const scalar t = s2/(2*(1 + w));
+    scalar g;
+    halfAngleOverSine
+    (
+        t, t > 0.1 ? Foam::atan2(Foam::sqrt(s2), w) : 0, h_, g
+    );
 
-    const scalar theta = mag(psi_);
-    if (theta > 1e-6)
+    psi_ = 2*h_*v;
+    cosHalf_ = w;
+    c_ = -1/(4*h_*(1 + w));
+    k_ = -g/(8*sqr(h_)*(1 + w));
+
+    // Half the way is the normalised sum
+    const scalar w0 = qi.w() + sign*qj.w();
+    const vector v0(a + sign*b);
+    const scalar n2 = 2/(sqr(w0) + magSqr(v0));
+    const scalar x = v0.x(), y = v0.y(), z = v0.z();
+    R_ = tensor
+    (
+        1 - n2*(y*y + z*z), n2*(x*y - w0*z), n2*(x*z + w0*y),
+        n2*(x*y + w0*z), 1 - n2*(x*x + z*z), n2*(y*z - w0*x),
+        n2*(x*z - w0*y), n2*(y*z + w0*x), 1 - n2*(x*x + y*y)
+    );
+    d_ = (xj - xi) & R_;
+}
+
+
+Foam::tensor Foam::bondFrame::coupleTangent
+(
+    const vector& m,
+    const vector& w
+) const
+{
+    const scalar theta2 = magSqr(psi_);
+
+    // Derivatives of h, k and c by theta, over theta
+    scalar dh = 1.0/12.0 + 7*theta2/1440;
+    scalar dk = -7.0/2880.0;
+    scalar dc = -1.0/192.0;
+    if (theta2 > 1e-4)
     {
-        h_ = (theta/2)/Foam::sin(theta/2);
-        c_ = -Foam::tan(theta/4)/(2*theta);
-        invTheta2_ = 1/sqr(theta);
+        dh = h_*(1 - h_*cosHalf_)/theta2;
+        dk = -(dh + 2*k_)/theta2;
+        dc = -(1/(4*(1 + cosHalf_)) + c_)/theta2;
     }
-    else
-    {
-        h_ = 1;
-        c_ = -0.125;
-        invTheta2_ = 0;
-    }
+
+    const scalar pm = psi_ & m;
+    const vector pw(psi_ ^ w);
+
+    return
+        (dh*m + dk*pm*psi_ + dc*pw)*psi_
+      + k_*(pm*tensor::I + psi_*m)
+      - c_*tensor
+        (
+            0, -w.z(), w.y(),
+            w.z(), 0, -w.x(),
+            -w.y(), w.x(), 0
+        );
 }
 
 
@@ -70,10 +152,10 @@ void Foam::bondFrame::rates
     vector& psiRate
 ) const
 {
-    const vector relative(R_.T() & (wj - wi));
-    const vector spin((R_.T() & (0.5*(wi + wj))) + C(relative));
+    const vector relative((wj - wi) & R_);
+    const vector spin(((0.5*(wi + wj)) & R_) + C(relative));
 
-    gammaRate = (R_.T() & (uj - ui)) - (spin ^ d_);
+    gammaRate = ((uj - ui) & R_) - (spin ^ d_);
     psiRate = H(relative);
 }
 

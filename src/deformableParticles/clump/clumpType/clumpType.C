@@ -93,6 +93,8 @@ void Foam::clumpType::setBonds
     const dictionary& dict
 )
 {
+    pattern_ = blockPattern(size(), pairs);
+
     if (pairs.empty())
     {
         return;

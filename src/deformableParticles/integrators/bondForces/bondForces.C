@@ -8,7 +8,7 @@
 namespace
 {
 
-Eigen::Matrix3d toEigen(const Foam::tensor& t)
+inline Eigen::Matrix3d toEigen(const Foam::tensor& t)
 {
     Eigen::Matrix3d m;
     m << t.xx(), t.xy(), t.xz(),
@@ -18,148 +18,186 @@ Eigen::Matrix3d toEigen(const Foam::tensor& t)
 }
 
 
-//- The matrix of v x
-Foam::tensor crossMatrix(const Foam::vector& v)
+inline Eigen::Vector3d toEigen(const Foam::vector& v)
 {
-    return Foam::tensor
-    (
-        0, -v.z(), v.y(),
-        v.z(), 0, -v.x(),
-        -v.y(), v.x(), 0
-    );
+    return Eigen::Vector3d(v.x(), v.y(), v.z());
+}
+
+
+//- The matrix of v x
+inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v)
+{
+    Eigen::Matrix3d m;
+    m << 0, -v.z(), v.y(),
+         v.z(), 0, -v.x(),
+         -v.y(), v.x(), 0;
+    return m;
 }
 
 
 //- along*e e + across*(I - e e)
-Foam::tensor transverse
+inline Eigen::Matrix3d transverse
 (
     const Foam::scalar along,
     const Foam::scalar across,
     const Foam::vector& e
 )
 {
-    return across*Foam::tensor::I + (along - across)*(e*e);
+    const Eigen::Vector3d v(toEigen(e));
+    return across*Eigen::Matrix3d::Identity()
+      + (along - across)*v*v.transpose();
 }
 
-}
 
-
-Foam::bondForces::strains Foam::bondForces::strainsOf
+//- The same, applied to v
+inline Foam::vector transverse
 (
-    const clumpType::bond& b,
-    const bondFrame& frame
+    const Foam::scalar along,
+    const Foam::scalar across,
+    const Foam::vector& e,
+    const Foam::vector& v
 )
 {
-    return {frame.d() - b.length*b.direction, frame.psi()};
+    return across*v + ((along - across)*(e & v))*e;
 }
+
+}
+
+
+Foam::bondFrame Foam::bondForces::frameOf
+(
+    const clumpType::bond& b,
+    const clumpState& s
+)
+{
+    return bondFrame(s.x[b.i], s.x[b.j], s.q[b.i], s.q[b.j]);
+}
+
+
+Foam::bondForces::bondForces(const clumpType& type)
+:
+    type_(type),
+    start_(type.bonds().size()),
+    grad_(type.size(), Zero)
+{}
 
 
 Foam::bondForces::bondForces(const clumpType& type, const clumpState& start)
 :
-    type_(type),
-    gamma0_(type.bonds().size()),
-    psi0_(type.bonds().size()),
-    n0_(start.n),
-    m0_(start.m),
-    grad_(type.size(), Zero)
+    bondForces(type)
 {
-    forAll(type_.bonds(), bi)
+    begin(start);
+}
+
+
+void Foam::bondForces::begin(const clumpState& s)
+{
+    forAll(start_, bi)
     {
         const clumpType::bond& b = type_.bonds()[bi];
-        const strains s
-        (
-            strainsOf
-            (
-                b,
-                bondFrame
-                (
-                    start.x[b.i], start.x[b.j], start.q[b.i], start.q[b.j]
-                )
-            )
-        );
-        gamma0_[bi] = s.gamma;
-        psi0_[bi] = s.psi;
+        const bondFrame frame(frameOf(b, s));
+        startOfStep& start = start_[bi];
+
+        start.d = frame.d();
+        start.psi = frame.psi();
+        start.t = direction(b, start.d, mag(start.d));
+
+        if (type_.incremental())
+        {
+            const response r(elastic(b, start.d, start.psi));
+            start.n = s.n[bi] - r.n;
+            start.m = s.m[bi] - r.m;
+        }
     }
+}
+
+
+Foam::vector Foam::bondForces::direction
+(
+    const clumpType::bond& b,
+    const vector& d,
+    const scalar length
+)
+{
+    return length > 1e-12*b.length ? d/length : b.direction;
+}
+
+
+Foam::bondForces::response Foam::bondForces::elastic
+(
+    const clumpType::bond& b,
+    const vector& d,
+    const vector& psi
+) const
+{
+    const vector& e = b.direction;
+    const bondCoefficients& k = b.stiffness;
+    const scalar length = mag(d);
+    const scalar torsion = psi & e;
+    const vector bending(psi - torsion*e);
+
+    response r;
+    r.t = direction(b, d, length);
+
+    const bondModel::axialResponse axial
+    (
+        type_.elasticity().axial(length - b.length, b.length, k.normal)
+    );
+    const scalar shear = k.tangential*b.length;
+
+    r.n = (axial.force + shear)*r.t - shear*e;
+    r.m = k.torsional*torsion*e + k.bending*bending;
+    r.energy =
+        axial.energy
+      + 0.5*shear*length*magSqr(r.t - e)
+      + 0.5*(k.torsional*sqr(torsion) + k.bending*magSqr(bending));
+
+    r.axial = axial.force;
+    r.kAlong = axial.tangent;
+    r.kAcross = (axial.force + shear)/max(length, 1e-12*b.length);
+
+    return r;
 }
 
 
 Foam::bondForces::response Foam::bondForces::respond
 (
     const label bi,
-    const strains& s,
+    const bondFrame& frame,
     const scalar oneByDt
 ) const
 {
     const clumpType::bond& b = type_.bonds()[bi];
-    const vector& e = b.direction;
-    const bondCoefficients& k = b.stiffness;
+    const startOfStep& start = start_[bi];
 
-    response r;
+    response r(elastic(b, frame.d(), frame.psi()));
 
-    if (type_.incremental())
+    if (type_.incremental() || oneByDt > 0)
     {
-        const vector dGamma(s.gamma - gamma0_[bi]);
-        const vector dPsi(s.psi - psi0_[bi]);
-        const vector Kn
-        (
-            transverse(k.normal, k.tangential, e) & dGamma
-        );
-        const vector Km(transverse(k.torsional, k.bending, e) & dPsi);
+        const vector dd(frame.d() - start.d);
+        const vector dPsi(frame.psi() - start.psi);
 
-        r.n = n0_[bi] + Kn;
-        r.m = m0_[bi] + Km;
-        r.energy =
-            ((n0_[bi] + 0.5*Kn) & dGamma) + ((m0_[bi] + 0.5*Km) & dPsi);
-        r.kNormal = k.normal;
-    }
-    else
-    {
-        const scalar elongation = s.gamma & e;
-        const scalar torsion = s.psi & e;
-        const vector shear(s.gamma - elongation*e);
-        const vector bending(s.psi - torsion*e);
-
-        const bondModel::axialResponse axial
-        (
-            type_.elasticity().axial(elongation, b.length, k.normal)
-        );
-
-        r.n = axial.force*e + k.tangential*shear;
-        r.m = k.torsional*torsion*e + k.bending*bending;
-        r.energy =
-            axial.energy
-          + 0.5*
+        if (type_.incremental())
+        {
+            r.n += start.n;
+            r.m += start.m;
+            r.energy += (start.n & dd) + (start.m & dPsi);
+        }
+        if (oneByDt > 0)
+        {
+            const bondCoefficients& c = b.damping;
+            const vector nd
             (
-                k.tangential*magSqr(shear)
-              + k.torsional*sqr(torsion)
-              + k.bending*magSqr(bending)
+                oneByDt*transverse(c.normal, c.tangential, start.t, dd)
             );
-        r.kNormal = axial.tangent;
-    }
-
-    const bondCoefficients& c = b.damping;
-
-    r.kNormal += c.normal*oneByDt;
-    r.kTangential = k.tangential + c.tangential*oneByDt;
-    r.kBending = k.bending + c.bending*oneByDt;
-    r.kTorsional = k.torsional + c.torsional*oneByDt;
-
-    if (oneByDt > 0)
-    {
-        const vector dGamma(s.gamma - gamma0_[bi]);
-        const vector dPsi(s.psi - psi0_[bi]);
-        const vector nd
-        (
-            oneByDt*(transverse(c.normal, c.tangential, e) & dGamma)
-        );
-        const vector md
-        (
-            oneByDt*(transverse(c.torsional, c.bending, e) & dPsi)
-        );
-
-        r.n += nd;
-        r.m += md;
-        r.energy += 0.5*((nd & dGamma) + (md & dPsi));
+            const vector md
+            (
+                oneByDt*transverse(c.torsional, c.bending, b.direction, dPsi)
+            );
+            r.n += nd;
+            r.m += md;
+            r.energy += 0.5*((nd & dd) + (md & dPsi));
+        }
     }
 
     return r;
@@ -168,56 +206,95 @@ Foam::bondForces::response Foam::bondForces::respond
 
 void Foam::bondForces::addTangent
 (
-    const clumpType::bond& b,
+    const label bi,
     const bondFrame& frame,
     const response& r,
+    const scalar oneByDt,
     const bool geometric,
-    Eigen::MatrixXd& K
+    clumpTangent& K
 ) const
 {
     using Eigen::Matrix3d;
 
-    // Quadratic form in u (relative displacement), s (spin of the frame) and
-    // p (relative rotation): gamma changes by u - s x d, psi by H p
-    const Matrix3d D(toEigen(transverse(r.kNormal, r.kTangential, b.direction)));
+    const clumpType::bond& b = type_.bonds()[bi];
+    const bondCoefficients& k = b.stiffness;
+    const bondCoefficients& c = b.damping;
+    const Eigen::Vector3d dv(toEigen(frame.d()));
+    const Matrix3d C(toEigen(frame.C()));
     const Matrix3d H(toEigen(frame.H()));
-    const Matrix3d d(toEigen(crossMatrix(frame.d())));
+    const Matrix3d d(crossMatrix(dv));
+    const Matrix3d D
+    (
+        transverse(r.kAlong, geometric ? r.kAcross : max(r.kAcross, 0), r.t)
+      + transverse(oneByDt*c.normal, oneByDt*c.tangential, start_[bi].t)
+    );
+    const Matrix3d S
+    (
+        transverse
+        (
+            k.torsional + oneByDt*c.torsional,
+            k.bending + oneByDt*c.bending,
+            b.direction
+        )
+    );
 
-    Eigen::Matrix<double, 9, 9> Q;
-    Q.setZero();
-    Q.block<3, 3>(0, 0) = D;
-    Q.block<3, 3>(0, 3) = D*d;
-    Q.block<3, 3>(3, 3) = d.transpose()*D*d;
-    Q.block<3, 3>(6, 6) =
-        H*toEigen(transverse(r.kTorsional, r.kBending, b.direction))*H;
+    // Second variation in the bond's frame by u (relative displacement), s (mean
+    // rotation) and p (relative rotation): gamma changes by u + d x (s + C p),
+    // psi by H p. The names say which pair of them.
+    Matrix3d us(D*d);
+    Matrix3d ss(-d*us);
 
     if (geometric)
     {
-        const tensor nd(r.n*frame.d());
-        Q.block<3, 3>(0, 3) -= toEigen(crossMatrix(r.n));
-        Q.block<3, 3>(3, 3) +=
-            toEigen(0.5*(nd + nd.T()) - tr(nd)*tensor::I);
+        const Eigen::Vector3d n(toEigen(r.n));
+        us -= crossMatrix(n);
+        ss += 0.5*(n*dv.transpose() + dv*n.transpose());
+        ss.diagonal().array() -= n.dot(dv);
     }
-    Q.block<3, 3>(3, 0) = Q.block<3, 3>(0, 3).transpose();
 
-    // (u, s, p) from (x_i, theta_i, x_j, theta_j) in space
-    const Matrix3d RT(toEigen(frame.R().T()));
-    const Matrix3d C(toEigen(frame.C()));
-    Eigen::Matrix<double, 9, 12> B;
-    B.setZero();
-    B.block<3, 3>(0, 0) = -RT;
-    B.block<3, 3>(0, 6) = RT;
-    B.block<3, 3>(3, 3) = 0.5*RT - C*RT;
-    B.block<3, 3>(3, 9) = 0.5*RT + C*RT;
-    B.block<3, 3>(6, 3) = -RT;
-    B.block<3, 3>(6, 9) = RT;
+    Matrix3d sp(ss*C);
+    Matrix3d pp(C.transpose()*sp + H*S*H);
 
-    const Eigen::Matrix<double, 12, 12> k(B.transpose()*(Q*B));
+    if (geometric)
+    {
+        // The maps C and H change with p, the frame turns with s
+        const vector w(frame.d() ^ r.n);
+        const Matrix3d g(crossMatrix(toEigen(frame.C(w) + frame.H(r.m))));
+        const Matrix3d change
+        (
+            toEigen(frame.coupleTangent(r.m, w))*H - g*C
+        );
 
-    K.block<6, 6>(6*b.i, 6*b.i) += k.block<6, 6>(0, 0);
-    K.block<6, 6>(6*b.i, 6*b.j) += k.block<6, 6>(0, 6);
-    K.block<6, 6>(6*b.j, 6*b.i) += k.block<6, 6>(6, 0);
-    K.block<6, 6>(6*b.j, 6*b.j) += k.block<6, 6>(6, 6);
+        sp += 0.5*(crossMatrix(toEigen(w))*C + g);
+        pp += 0.5*(change + change.transpose());
+    }
+    const Matrix3d up(us*C);
+
+    // Rotations of the spheres: s is their mean, p their difference
+    const Matrix3d R(toEigen(frame.R()));
+    const Matrix3d RT(R.transpose());
+    const auto turn = [&R, &RT](const Matrix3d& m) -> Matrix3d
+    {
+        return R*m*RT;
+    };
+
+    const Matrix3d uu(turn(D));
+    const Matrix3d ui(turn(0.5*us - up));
+    const Matrix3d uj(turn(0.5*us + up));
+    const Matrix3d even(0.25*ss + pp);
+    const Matrix3d odd(0.5*(sp + sp.transpose()));
+    const Matrix3d skew(0.5*(sp - sp.transpose()));
+
+    clumpTangent::block B;
+
+    B << uu, -ui, -ui.transpose(), turn(even - odd);
+    K.diagonal(b.i) += B;
+
+    B << uu, uj, uj.transpose(), turn(even + odd);
+    K.diagonal(b.j) += B;
+
+    B << -uu, -uj, ui.transpose(), turn(0.25*ss - pp + skew);
+    K.addCoupling(bi, b.i, b.j, B);
 }
 
 
@@ -233,7 +310,7 @@ Foam::scalar Foam::bondForces::explicitForces
     forAll(type_.bonds(), bi)
     {
         const clumpType::bond& b = type_.bonds()[bi];
-        const bondFrame frame(s.x[b.i], s.x[b.j], s.q[b.i], s.q[b.j]);
+        const bondFrame frame(frameOf(b, s));
 
         vector gammaRate, psiRate;
         frame.rates
@@ -242,10 +319,11 @@ Foam::scalar Foam::bondForces::explicitForces
         );
 
         const bondCoefficients& c = b.damping;
+        const vector t(direction(b, frame.d(), mag(frame.d())));
         frame.addForces
         (
-            transverse(c.normal, c.tangential, b.direction) & gammaRate,
-            transverse(c.torsional, c.bending, b.direction) & psiRate,
+            transverse(c.normal, c.tangential, t, gammaRate),
+            transverse(c.torsional, c.bending, b.direction, psiRate),
             F[b.i], F[b.j], T[b.i], T[b.j]
         );
     }
@@ -260,26 +338,27 @@ Foam::scalar Foam::bondForces::stepForces
     const scalar dt,
     vectorField& F,
     vectorField& T,
-    Eigen::MatrixXd* K,
+    clumpTangent* K,
     const bool geometric
 ) const
 {
     F = Zero;
     T = Zero;
+    const scalar oneByDt = dt > 0 ? 1/dt : 0;
     scalar energy = 0;
 
     forAll(type_.bonds(), bi)
     {
         const clumpType::bond& b = type_.bonds()[bi];
-        const bondFrame frame(s.x[b.i], s.x[b.j], s.q[b.i], s.q[b.j]);
-        const response r(respond(bi, strainsOf(b, frame), dt > 0 ? 1/dt : 0));
+        const bondFrame frame(frameOf(b, s));
+        const response r(respond(bi, frame, oneByDt));
 
         energy += r.energy;
         frame.addForces(r.n, r.m, F[b.i], F[b.j], T[b.i], T[b.j]);
 
         if (K)
         {
-            addTangent(b, frame, r, geometric, *K);
+            addTangent(bi, frame, r, oneByDt, geometric, *K);
         }
     }
 
@@ -293,12 +372,12 @@ Foam::scalar Foam::bondForces::stepForces
 
         if (K)
         {
-            Eigen::VectorXd g(Eigen::VectorXd::Zero(K->rows()));
+            Eigen::VectorXd g(Eigen::VectorXd::Zero(6*grad_.size()));
             forAll(grad_, i)
             {
                 g.segment<3>(6*i) << grad_[i].x(), grad_[i].y(), grad_[i].z();
             }
-            K->noalias() += k*g*g.transpose();
+            K->setRankOne(k, g);
         }
     }
 
@@ -310,10 +389,7 @@ void Foam::bondForces::store(clumpState& s) const
 {
     forAll(s.n, bi)
     {
-        const clumpType::bond& b = type_.bonds()[bi];
-        const bondFrame frame(s.x[b.i], s.x[b.j], s.q[b.i], s.q[b.j]);
-        const response r(respond(bi, strainsOf(b, frame), 0));
-
+        const response r(respond(bi, frameOf(type_.bonds()[bi], s), 0));
         s.n[bi] = r.n;
         s.m[bi] = r.m;
     }
@@ -326,9 +402,9 @@ Foam::scalarField Foam::bondForces::tension(const clumpState& s) const
 
     forAll(result, bi)
     {
-        const clumpType::bond& b = type_.bonds()[bi];
-        const bondFrame frame(s.x[b.i], s.x[b.j], s.q[b.i], s.q[b.j]);
-        result[bi] = respond(bi, strainsOf(b, frame), 0).n & b.direction;
+        const response r(respond(bi, frameOf(type_.bonds()[bi], s), 0));
+        result[bi] =
+            type_.incremental() ? r.n & r.t : r.axial;
     }
 
     return result;

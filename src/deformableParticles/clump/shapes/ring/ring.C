@@ -20,8 +20,8 @@ Foam::clumpShapes::ring::ring(const dictionary& dict)
 {
     const label n =
         dict.getCheck<label>("nSpheres", [](label x){ return x >= 3; });
-    const scalar R = getPositive(dict, "ringRadius");
     const scalar r = getPositive(dict, "sphereRadius");
+    const scalar R = radius(dict, r);
 
     centres_.setSize(n);
     radii_ = scalarField(n, r);
@@ -33,4 +33,27 @@ Foam::clumpShapes::ring::ring(const dictionary& dict)
         centres_[i] = R*vector(Foam::cos(angle), Foam::sin(angle), 0);
         bonds_[i] = labelPair(i, (i + 1) % n);
     }
+}
+
+
+Foam::scalar Foam::clumpShapes::ring::radius
+(
+    const dictionary& dict,
+    const scalar sphereRadius
+)
+{
+    if (!dict.found("diameter"))
+    {
+        return getPositive(dict, "ringRadius");
+    }
+    if (dict.found("ringRadius"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give either ringRadius or diameter" << exit(FatalIOError);
+    }
+
+    return 0.5*dict.getCheck<scalar>
+    (
+        "diameter", [&](const scalar D){ return D > 2*sphereRadius; }
+    ) - sphereRadius;
 }

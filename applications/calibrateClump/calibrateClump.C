@@ -1,0 +1,203 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+-------------------------------------------------------------------------------
+Application
+    calibrateClump
+
+Description
+    Fits the parameters of a clump type to a measured curve, or, without free
+    parameters, compares a type with it.
+
+        calibrateClump calibration
+
+    reads the dictionary "calibration" and writes into a folder of its name with
+    .fit: the type to paste into constant/clumpProperties (clumpType), the
+    residual of every point (residuals.csv) and a smooth curve (curve.csv);
+    applications/calibrateClump/plotCalibration draws both.
+
+    \verbatim
+        test        { type stretching; ... }    // see mechanicalTest
+        data        { ... }                     // see measurement
+        type        { ... }                     // see clumpType
+        variants    ( {...} {...} );            // optional: fitted at once with
+                                                // these changes to the type
+        parameters  { ... }                     // see freeParameters; may be {}
+        norm        2;                          // see fit
+    \endverbatim
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "fit.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "clockTime.H"
+
+using namespace Foam;
+
+namespace
+{
+
+void writeResiduals
+(
+    const fileName& file,
+    const mechanicalTest& test,
+    const measurement& data,
+    const Eigen::VectorXd& z,
+    const label nVariants
+)
+{
+    OFstream os(file);
+    os  << "variant,quantity," << test.abscissa()
+        << ",measured,error,model,z\n";
+
+    const label n = data.points().size();
+    for (label v = 0; v < nVariants; ++v)
+    {
+        forAll(data.points(), k)
+        {
+            const measurement::point& p = data.points()[k];
+            const scalar r = z[v*n + k];
+            os  << v << ',' << data.quantities()[p.quantity] << ','
+                << data.abscissas()[p.abscissa] << ',' << p.value << ','
+                << p.error << ',' << p.value + r*p.error << ',' << r << nl;
+        }
+    }
+}
+
+
+//- Returns the number of unstable states
+label writeCurve
+(
+    const fileName& file,
+    const mechanicalTest& test,
+    const measurement& data,
+    const fit& solution,
+    const Eigen::VectorXd& y
+)
+{
+    scalarField x(101);
+    forAll(x, i)
+    {
+        x[i] = data.abscissas().last()*i/(x.size() - 1);
+    }
+
+    OFstream os(file);
+    const wordList quantities(test.quantities());
+    os << "variant," << test.abscissa();
+    for (const word& q : quantities)
+    {
+        os << ',' << q;
+    }
+    os << nl;
+
+    label unstable = 0;
+    for (label v = 0; v < solution.nVariants(); ++v)
+    {
+        const clumpType clump("fit", solution.type(y, v));
+        label n = 0;
+        const List<scalarField> curve(test.predict(clump, x, n));
+        unstable += n;
+        forAll(x, i)
+        {
+            os << v << ',' << x[i];
+            forAll(quantities, q)
+            {
+                os << ',' << curve[q][i];
+            }
+            os << nl;
+        }
+    }
+    return unstable;
+}
+
+}
+
+
+int main(int argc, char* argv[])
+{
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addNote("Fit the parameters of a clump type to a measured curve");
+    argList::addArgument("dictionary", "what to fit to what");
+    argList args(argc, argv, false, false);
+
+    const clockTime timer;
+    const fileName file(args[1]);
+    IFstream is(file);
+    if (!is.good())
+    {
+        FatalErrorInFunction
+            << "Cannot read the dictionary " << file << exit(FatalError);
+    }
+    const dictionary dict(is);
+
+    const autoPtr<mechanicalTest> test
+    (
+        selectModel<mechanicalTest>(dict.subDict("test"))
+    );
+    const measurement data
+    (
+        dict.subDict("data"), file.path(), test->quantities()
+    );
+    const dictionary& type = dict.subDict("type");
+    const freeParameters parameters(dict.subDict("parameters"), type);
+    PtrList<dictionary> variants;
+    if (dict.found("variants"))
+    {
+        variants = PtrList<dictionary>(dict.lookup("variants"));
+    }
+
+    fit solution(*test, data, parameters, type, variants);
+    const Eigen::VectorXd y(solution.run(getPositive(dict, "norm")));
+    const Eigen::VectorXd z(solution.residuals(y));
+    const scalarField sigma(solution.uncertainties(y));
+
+    const fileName folder(file + ".fit");
+    mkDir(folder);
+    writeResiduals
+    (
+        folder/"residuals.csv", *test, data, z, solution.nVariants()
+    );
+    const label unstable =
+        writeCurve(folder/"curve.csv", *test, data, solution, y);
+
+    {
+        OFstream os(folder/"clumpType");
+        solution.type(y).write(os, false);
+    }
+
+    Info<< nl << data.points().size() << " points of " << data.file() << nl << nl
+        << "parameter" << tab << "value" << tab << "+-" << nl;
+    forAll(sigma, i)
+    {
+        const scalar value = parameters.value(i, y[i]);
+        Info<< parameters.name(i) << tab << value << tab << sigma[i]
+            << (parameters.atBound(i, value) ? "  at its bound" : "") << nl;
+    }
+
+    const label n = data.points().size();
+    Info<< nl << "line" << tab << "quantity" << tab << test->abscissa() << tab
+        << "measured" << tab << "(model - measured)/error, per variant" << nl;
+    forAll(data.points(), k)
+    {
+        const measurement::point& p = data.points()[k];
+        Info<< p.line << tab << data.quantities()[p.quantity] << tab
+            << data.abscissas()[p.abscissa] << tab << p.value;
+        for (label v = 0; v < solution.nVariants(); ++v)
+        {
+            Info<< tab << z[v*n + k];
+        }
+        Info<< nl;
+    }
+
+    Info<< nl << "largest |z| " << z.cwiseAbs().maxCoeff() << ", RMS "
+        << z.norm()/Foam::sqrt(scalar(z.size())) << nl
+        << "unstable states " << unstable << nl
+        << solution.nCalls() << " curves in " << timer.elapsedTime() << " s"
+        << nl << "Wrote " << folder << nl << endl;
+
+    UPstream::exit(0);
+    return 0;
+}

@@ -1,0 +1,122 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "measurement.H"
+#include "modelSelection.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- A column's name or a cell's text: a word, a quoted string or a number
+string textOf(const dictionary& dict, const word& key)
+{
+    const token t(dict.lookup(key));
+    return
+        t.isWord() ? string(t.wordToken())
+      : t.isString() ? t.stringToken()
+      : string(Foam::name(t.number()));
+}
+
+}
+
+
+Foam::measurement::measurement
+(
+    const dictionary& dict,
+    const fileName& folder,
+    const wordList& quantities
+)
+:
+    quantities_(quantities)
+{
+    const fileName name(dict.get<fileName>("file"));
+    file_ = name.isAbsolute() ? name : folder/name;
+    const csvTable table(file_);
+
+    label selectColumn = -1;
+    string selected;
+    if (dict.found("select"))
+    {
+        const dictionary& s = dict.subDict("select");
+        selectColumn = table.column(textOf(s, "column"));
+        selected = textOf(s, "value");
+    }
+
+    const dictionary& abscissa = dict.subDict("abscissa");
+    const label abscissaColumn = table.column(textOf(abscissa, "column"));
+    const scalar abscissaUnit = getPositive(abscissa, "unit");
+    const dictionary& values = dict.subDict("values");
+
+    for (const word& q : values.toc())
+    {
+        if (!quantities_.found(q))
+        {
+            FatalIOErrorInFunction(values)
+                << "Unknown quantity " << q << nl
+                << "This test gives " << quantities_ << exit(FatalIOError);
+        }
+    }
+
+    for (label row = 0; row < table.size(); ++row)
+    {
+        if (selectColumn >= 0 && table.text(row, selectColumn) != selected)
+        {
+            continue;
+        }
+
+        const scalar x = abscissaUnit*table.number(row, abscissaColumn);
+        if (abscissas_.size() && x < abscissas_.last())
+        {
+            table.fail(row, "the abscissa is lower than in the row before");
+        }
+        abscissas_.append(x);
+
+        forAll(quantities_, q)
+        {
+            if (!values.found(quantities_[q]))
+            {
+                continue;
+            }
+            const dictionary& v = values.subDict(quantities_[q]);
+            const label column = table.column(textOf(v, "column"));
+            const scalar unit = getPositive(v, "unit");
+            if (table.empty(row, column))
+            {
+                continue;
+            }
+
+            point p;
+            p.abscissa = abscissas_.size() - 1;
+            p.quantity = q;
+            p.value = unit*table.number(row, column);
+            p.error = getPositive(v, "relativeError")*mag(p.value);
+            p.line = table.line(row);
+
+            if (v.found("errorColumn"))
+            {
+                const label e = table.column(textOf(v, "errorColumn"));
+                if (!table.empty(row, e))
+                {
+                    p.error = unit*table.number(row, e);
+                    if (p.error <= 0)
+                    {
+                        table.fail(row, "an error bar must be positive");
+                    }
+                }
+            }
+            points_.append(p);
+        }
+    }
+
+    if (abscissas_.size() < 2)
+    {
+        FatalIOErrorInFunction(dict)
+            << "A curve needs two points at least, " << file_ << " has "
+            << abscissas_.size() << (selectColumn >= 0 ? " of " : "")
+            << selected.c_str() << exit(FatalIOError);
+    }
+}

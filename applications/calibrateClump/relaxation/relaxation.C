@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "relaxation.H"
+#include "equilibrium.H"
+#include "implicitEuler.H"
+
+namespace Foam
+{
+namespace mechanicalTests
+{
+    defineTypeNameAndDebug(relaxation, 0);
+    addToRunTimeSelectionTable(mechanicalTest, relaxation, dictionary);
+}
+}
+
+
+Foam::mechanicalTests::relaxation::relaxation(const dictionary& dict)
+:
+    mechanicalTest(dict),
+    initialRatio_
+    (
+        dict.getCheck<scalar>("initialRatio", [](scalar x){ return x > 1; })
+    ),
+    timeStep_(getPositive(dict, "timeStep"))
+{}
+
+
+Foam::scalar Foam::mechanicalTests::relaxation::ratio
+(
+    const clumpType& type,
+    const clumpState& s
+) const
+{
+    return
+        clumpExtent::along(vector(1, 0, 0), s.x, type.radii(), reading_)
+       /clumpExtent::along(vector(0, 1, 0), s.x, type.radii(), reading_);
+}
+
+
+bool Foam::mechanicalTests::relaxation::stretch
+(
+    const clumpType& type,
+    clumpState& s
+) const
+{
+    const equilibrium solver;
+    const auto ratioAt = [&](const scalar force)
+    {
+        solver.find
+        (
+            type, equilibrium::stretch(type, vector(force, 0, 0)), s
+        );
+        return ratio(type, s);
+    };
+
+    // The force doubles until the ratio is passed, then bisection. The first
+    // one would shear a bond by 1e-3 of its length.
+    const clumpType::bond& b = type.bonds()[0];
+    scalar low = 0;
+    scalar high = 1e-3*b.stiffness.normal*b.length;
+    while (ratioAt(high) < initialRatio_)
+    {
+        low = high;
+        high *= 2;
+        if (high > 1e4*b.stiffness.normal*b.length)
+        {
+            return false;
+        }
+    }
+    while (high - low > 1e-9*high)
+    {
+        const scalar middle = 0.5*(low + high);
+        (ratioAt(middle) < initialRatio_ ? low : high) = middle;
+    }
+    return true;
+}
+
+
+Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
+(
+    const clumpType& type,
+    const UList<scalar>& times,
+    label& unstable
+) const
+{
+    List<scalarField> result(1, scalarField(times.size(), GREAT));
+    unstable = 0;
+
+    clumpState s(type);
+    if (!stretch(type, s))
+    {
+        return result;
+    }
+
+    const dictionary numerics
+    (
+        IStringStream("tolerance 1e-9; maxIterations 100;")()
+    );
+    const integrators::implicitEuler integrator(numerics);
+    const integrator::externals free(type.size());
+
+    scalar now = 0;
+    forAll(times, k)
+    {
+        const scalar span = times[k] - now;
+        const label n = label(std::ceil(span/timeStep_ - 1e-9));
+        for (label step = 0; step < n; ++step)
+        {
+            integrator.advance(type, free, span/n, s);
+        }
+        now = times[k];
+        result[0][k] = ratio(type, s);
+    }
+
+    return result;
+}

@@ -1,0 +1,56 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "stretching.H"
+#include "equilibrium.H"
+
+namespace Foam
+{
+namespace mechanicalTests
+{
+    defineTypeNameAndDebug(stretching, 0);
+    addToRunTimeSelectionTable(mechanicalTest, stretching, dictionary);
+}
+}
+
+
+Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
+(
+    const clumpType& type,
+    const UList<scalar>& forces,
+    label& unstable
+) const
+{
+    List<scalarField> result(2, scalarField(forces.size(), GREAT));
+    const equilibrium solver;
+    clumpState s(type);
+    unstable = 0;
+
+    forAll(forces, k)
+    {
+        const auto ext
+        (
+            equilibrium::stretch(type, vector(forces[k], 0, 0))
+        );
+        if (!solver.find(type, ext, s))
+        {
+            s = clumpState(type);
+            continue;
+        }
+
+        const vector directions[2] = {vector(1, 0, 0), vector(0, 1, 0)};
+        for (label q = 0; q < 2; ++q)
+        {
+            result[q][k] =
+                clumpExtent::along(directions[q], s.x, type.radii(), reading_);
+        }
+
+        // Zero within rounding: the rigid motions
+        const scalarField stiffness(equilibrium::spectrum(type, ext, s));
+        unstable += stiffness[0] < -1e-9*stiffness.last();
+    }
+
+    return result;
+}

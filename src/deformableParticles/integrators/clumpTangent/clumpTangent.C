@@ -1,0 +1,160 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpTangent.H"
+
+Foam::clumpTangent::clumpTangent(const clumpType& type)
+:
+    pattern_(type.pattern()),
+    values_(pattern_.nBlocks()),
+    factor_(pattern_.nBlocks()),
+    hasRankOne_(false),
+    k_(0)
+{}
+
+
+void Foam::clumpTangent::setZero()
+{
+    for (block& b : values_)
+    {
+        b.setZero();
+    }
+    hasRankOne_ = false;
+}
+
+
+void Foam::clumpTangent::addCoupling
+(
+    const label bondi,
+    const label i,
+    const label j,
+    const block& B
+)
+{
+    if (i > j)
+    {
+        values_[pattern_.pairBlock(bondi)] += B;
+    }
+    else
+    {
+        values_[pattern_.pairBlock(bondi)] += B.transpose();
+    }
+}
+
+
+void Foam::clumpTangent::setRankOne(const scalar k, const Eigen::VectorXd& g)
+{
+    hasRankOne_ = true;
+    k_ = k;
+    g_ = g;
+}
+
+
+bool Foam::clumpTangent::factorise
+(
+    const scalar shift,
+    const scalar rotationShift
+)
+{
+    factor_ = values_;
+    const labelList& targets = pattern_.targets();
+    label next = 0;
+
+    for (label j = 0; j < size(); ++j)
+    {
+        block& D = factor_[pattern_.start(j)];
+        if (shift > 0)
+        {
+            D.diagonal().head<3>().array() += shift;
+            D.diagonal().tail<3>().array() += rotationShift;
+        }
+
+        const Eigen::LLT<block> llt(D);
+        if (llt.info() != Eigen::Success)
+        {
+            return false;
+        }
+        D = llt.matrixL();
+
+        for (label a = pattern_.start(j) + 1; a < pattern_.start(j + 1); ++a)
+        {
+            // L_aj = A_aj L_jj^-T
+            D.triangularView<Eigen::Lower>().transpose()
+                .solveInPlace<Eigen::OnTheRight>(factor_[a]);
+        }
+        for (label b = pattern_.start(j) + 1; b < pattern_.start(j + 1); ++b)
+        {
+            for (label a = b; a < pattern_.start(j + 1); ++a)
+            {
+                factor_[targets[next++]].noalias() -=
+                    factor_[a]*factor_[b].transpose();
+            }
+        }
+    }
+
+    if (hasRankOne_)
+    {
+        Ag_ = g_;
+        substitute(Ag_);
+    }
+
+    return true;
+}
+
+
+void Foam::clumpTangent::substitute(Eigen::VectorXd& x) const
+{
+    for (label j = 0; j < size(); ++j)
+    {
+        auto xj = x.segment<6>(6*j);
+        factor_[pattern_.start(j)].triangularView<Eigen::Lower>().solveInPlace(xj);
+        for (label a = pattern_.start(j) + 1; a < pattern_.start(j + 1); ++a)
+        {
+            x.segment<6>(6*pattern_.row(a)).noalias() -= factor_[a]*xj;
+        }
+    }
+    for (label j = size() - 1; j >= 0; --j)
+    {
+        auto xj = x.segment<6>(6*j);
+        for (label a = pattern_.start(j) + 1; a < pattern_.start(j + 1); ++a)
+        {
+            xj.noalias() -= factor_[a].transpose()*x.segment<6>(6*pattern_.row(a));
+        }
+        factor_[pattern_.start(j)].triangularView<Eigen::Lower>().transpose()
+            .solveInPlace(xj);
+    }
+}
+
+
+void Foam::clumpTangent::solve(Eigen::VectorXd& x) const
+{
+    substitute(x);
+
+    if (hasRankOne_)
+    {
+        x -= Ag_*(k_*g_.dot(x)/(1 + k_*g_.dot(Ag_)));
+    }
+}
+
+
+Eigen::MatrixXd Foam::clumpTangent::dense() const
+{
+    Eigen::MatrixXd K(Eigen::MatrixXd::Zero(6*size(), 6*size()));
+
+    for (label j = 0; j < size(); ++j)
+    {
+        for (label a = pattern_.start(j); a < pattern_.start(j + 1); ++a)
+        {
+            const label i = pattern_.row(a);
+            K.block<6, 6>(6*j, 6*i) = values_[a].transpose();
+            K.block<6, 6>(6*i, 6*j) = values_[a];
+        }
+    }
+    if (hasRankOne_)
+    {
+        K.noalias() += k_*g_*g_.transpose();
+    }
+    return K;
+}

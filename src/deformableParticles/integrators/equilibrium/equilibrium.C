@@ -1,0 +1,116 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "equilibrium.H"
+#include "newtonMinimiser.H"
+
+Foam::equilibrium::equilibrium
+(
+    const scalar tolerance,
+    const label maxIterations
+)
+:
+    tolerance_(tolerance),
+    maxIterations_(maxIterations)
+{}
+
+
+bool Foam::equilibrium::find
+(
+    const clumpType& type,
+    const integrator::externals& ext,
+    clumpState& s
+) const
+{
+    const clumpState start(s);
+    const incrementalPotential potential(type, ext, 0, start);
+
+    // Small beside any deformation: keeps free rigid motions solvable
+    scalar shift = 0;
+    for (const clumpType::bond& b : type.bonds())
+    {
+        shift = max(shift, 1e-8*b.stiffness.normal);
+    }
+
+    newtonMinimiser newton(tolerance_, maxIterations_);
+    const bool found = newton.minimise(potential, s, shift);
+
+    s.u = Zero;
+    s.w = Zero;
+    potential.bonds().store(s);
+    return found;
+}
+
+
+Foam::scalarField Foam::equilibrium::spectrum
+(
+    const clumpType& type,
+    const integrator::externals& ext,
+    const clumpState& s
+)
+{
+    const incrementalPotential potential(type, ext, 0, s);
+    const label n = 6*type.size();
+    Eigen::VectorXd gradient(n);
+    clumpTangent K(type);
+    potential.value(s, &gradient, &K);
+
+    Eigen::VectorXd scale(Eigen::VectorXd::Ones(n));
+    for (label i = 0; i < type.size(); ++i)
+    {
+        scale.segment<3>(6*i + 3).setConstant(1/max(type.radii()));
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver
+    (
+        scale.asDiagonal()*K.dense()*scale.asDiagonal()
+    );
+
+    scalarField result(n);
+    forAll(result, i)
+    {
+        result[i] = solver.eigenvalues()[i];
+    }
+    return result;
+}
+
+
+Foam::integrator::externals Foam::equilibrium::stretch
+(
+    const clumpType& type,
+    const vector& F
+)
+{
+    integrator::externals ext(type.size());
+    if (mag(F) < VSMALL)
+    {
+        return ext;
+    }
+
+    const scalarField along(type.centres() & (F/mag(F)));
+    const scalar reach = max(mag(along));
+
+    for (const scalar sign : {1.0, -1.0})
+    {
+        labelList ends;
+        forAll(along, i)
+        {
+            if (sign*along[i] > (1 - 1e-6)*max(sign*along))
+            {
+                ends.append(i);
+            }
+        }
+        if (ends.empty() || reach <= 0)
+        {
+            FatalErrorInFunction
+                << "Clump type " << type.name() << " has no extent along "
+                << F << " to be stretched" << exit(FatalError);
+        }
+        for (const label i : ends)
+        {
+            ext.f[i] += sign*F/ends.size();
+        }
+    }
+    return ext;
+}

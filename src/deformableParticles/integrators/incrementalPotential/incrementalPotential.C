@@ -1,0 +1,122 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "incrementalPotential.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- The gradient by a spin of v.phi, phi the rotation vector: J^-T v with J the
+//  left Jacobian of the exponential map
+vector spinGradient(const vector& phi, const vector& v)
+{
+    const scalar p2 = magSqr(phi);
+    const scalar p = Foam::sqrt(p2);
+    const scalar c =
+        p2 < 1e-4
+      ? 1.0/12.0 + p2/720
+      : (1 - 0.5*p/Foam::tan(0.5*p))/p2;
+    const vector pv(phi ^ v);
+
+    return v + 0.5*pv + c*(phi ^ pv);
+}
+
+}
+
+
+Foam::incrementalPotential::incrementalPotential
+(
+    const clumpType& type,
+    const integrator::externals& ext,
+    const scalar dt,
+    const clumpState& start
+)
+:
+    type_(type),
+    ext_(ext),
+    oneByDt_(dt > 0 ? 1/dt : 0),
+    start_(start),
+    bonds_(type, start),
+    F_(type.size()),
+    T_(type.size())
+{}
+
+
+Foam::scalar Foam::incrementalPotential::value
+(
+    const clumpState& s,
+    Eigen::VectorXd* gradient,
+    clumpTangent* K,
+    const bool geometric
+) const
+{
+    if (K)
+    {
+        K->setZero();
+    }
+
+    scalar W = bonds_.stepForces
+    (
+        s, oneByDt_ > 0 ? 1/oneByDt_ : 0, F_, T_, K, geometric
+    );
+
+    forAll(s.x, i)
+    {
+        const vector dx(s.x[i] - start_.x[i]);
+        const vector phi(rotationVector(s.q[i]*conjugate(start_.q[i])));
+        const vector du(oneByDt_*dx - start_.u[i]);
+        const vector dw(oneByDt_*phi - start_.w[i]);
+        const vector duR(oneByDt_*dx - ext_.u0[i]);
+        const vector dwR(oneByDt_*phi - ext_.w0[i]);
+        const scalar m = type_.masses()[i]*oneByDt_;
+        const scalar I = type_.inertias()[i]*oneByDt_;
+        const scalar z = ext_.zeta[i];
+        const scalar zR = ext_.zetaR[i];
+        const vector kx(ext_.k[i] & dx);
+
+        if (moving())
+        {
+            W +=
+                0.5*(m*magSqr(du) + z*magSqr(duR))/oneByDt_
+              + 0.5*(I*magSqr(dw) + zR*magSqr(dwR))/oneByDt_;
+        }
+        W += 0.5*(kx & dx) - (ext_.f[i] & dx) - (ext_.t[i] & phi);
+
+        if (gradient)
+        {
+            vector g(kx - ext_.f[i] - F_[i]);
+            vector h(-ext_.t[i]);
+            if (moving())
+            {
+                g += m*du + z*duR;
+                h += I*dw + zR*dwR;
+            }
+            h = spinGradient(phi, h) - T_[i];
+            gradient->segment<6>(6*i) <<
+                g.x(), g.y(), g.z(), h.x(), h.y(), h.z();
+        }
+
+        if (K)
+        {
+            const symmTensor& k = ext_.k[i];
+            clumpTangent::block& D = K->diagonal(i);
+            Eigen::Matrix3d kw;
+            kw << k.xx(), k.xy(), k.xz(),
+                  k.xy(), k.yy(), k.yz(),
+                  k.xz(), k.yz(), k.zz();
+            D.topLeftCorner<3, 3>() += kw;
+
+            if (moving())
+            {
+                D.diagonal().head<3>().array() += (m + z)*oneByDt_;
+                D.diagonal().tail<3>().array() += (I + zR)*oneByDt_;
+            }
+        }
+    }
+
+    return W;
+}

@@ -1,0 +1,174 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "newtonMinimiser.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- s = before moved by a fraction of the step; returns the largest move in radii
+scalar moveBy
+(
+    const clumpType& type,
+    const clumpState& before,
+    const Eigen::VectorXd& step,
+    const scalar fraction,
+    clumpState& s
+)
+{
+    scalar moved = 0;
+    forAll(s.x, i)
+    {
+        const vector dx(step[6*i], step[6*i + 1], step[6*i + 2]);
+        const vector dq(step[6*i + 3], step[6*i + 4], step[6*i + 5]);
+
+        s.x[i] = before.x[i] + fraction*dx;
+        s.q[i] = rotation(fraction*dq)*before.q[i];
+        s.q[i].normalize();
+
+        moved = max(moved, fraction*max(mag(dx)/type.radii()[i], mag(dq)));
+    }
+    return moved;
+}
+
+//- Size of a gradient, torques as forces at a sphere's surface [N]
+scalar size(const clumpType& type, const Eigen::VectorXd& gradient)
+{
+    scalar sum = 0;
+    for (label i = 0; i < type.size(); ++i)
+    {
+        sum +=
+            gradient.segment<3>(6*i).squaredNorm()
+          + gradient.segment<3>(6*i + 3).squaredNorm()/sqr(type.radii()[i]);
+    }
+    return Foam::sqrt(sum);
+}
+
+}
+
+
+Foam::newtonMinimiser::newtonMinimiser
+(
+    const scalar tolerance,
+    const label maxIterations
+)
+:
+    tolerance_(tolerance),
+    maxIterations_(maxIterations),
+    nIterations_(0),
+    nFactorisations_(0),
+    lastStep_(0)
+{}
+
+
+void Foam::newtonMinimiser::factorise
+(
+    const incrementalPotential& potential,
+    const clumpState& s,
+    const scalar shift,
+    Eigen::VectorXd& gradient,
+    clumpTangent& K
+)
+{
+    const scalar r2 = sqr(max(potential.type().radii()));
+
+    ++nFactorisations_;
+    potential.value(s, &gradient, &K);
+    if (K.factorise(shift, shift*r2))
+    {
+        return;
+    }
+
+    // With inertia the material part is positive definite. At rest it is not (a
+    // clump may move rigidly), while the load opposes rotations.
+    if (potential.moving())
+    {
+        potential.value(s, &gradient, &K, false);
+    }
+
+    scalar largest = 0;
+    for (label i = 0; i < K.size(); ++i)
+    {
+        largest = max(largest, K.diagonal(i)(0, 0));
+    }
+
+    scalar added = shift;
+    while (!K.factorise(added, added*r2))
+    {
+        ++nFactorisations_;
+        added = max(4*added, 1e-6*largest + VSMALL);
+    }
+}
+
+
+bool Foam::newtonMinimiser::minimise
+(
+    const incrementalPotential& potential,
+    clumpState& s,
+    const scalar shift
+)
+{
+    const label n = 6*s.x.size();
+    Eigen::VectorXd gradient(n), step(n);
+    clumpTangent K(potential.type());
+    clumpState before(s);
+
+    scalar W = potential.value(s, &gradient);
+    bool fresh = false;
+    bool stale = true;
+    lastStep_ = GREAT;
+    nFactorisations_ = 0;
+
+    for (nIterations_ = 0; nIterations_ < maxIterations_; ++nIterations_)
+    {
+        if (stale)
+        {
+            factorise(potential, s, shift, gradient, K);
+            fresh = true;
+        }
+
+        step = -gradient;
+        K.solve(step);
+
+        const scalar force = size(potential.type(), gradient);
+        before = s;
+        const scalar before0 = W;
+        scalar fraction = 1;
+        scalar moved = GREAT;
+
+        while (true)
+        {
+            moved = moveBy(potential.type(), before, step, fraction, s);
+            W = potential.value(s, &gradient);
+
+            // Close to the minimum the potential is flat to rounding long before
+            // its gradient is
+            if
+            (
+                W <= before0
+             || moved <= tolerance_
+             || (moved < 1e-3 && size(potential.type(), gradient) < force)
+            )
+            {
+                break;
+            }
+            fraction *= 0.5;
+        }
+
+        if (moved <= tolerance_)
+        {
+            lastStep_ = moved;
+            return true;
+        }
+
+        stale = fraction < 1 || moved > 0.1*lastStep_ || (fresh && moved > 0.1);
+        fresh = false;
+        lastStep_ = moved;
+    }
+
+    return false;
+}

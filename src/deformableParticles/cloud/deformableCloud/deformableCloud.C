@@ -17,7 +17,7 @@ Foam::vectorField Foam::deformableCloud::imposedSpins
     const clumpParcel& p
 ) const
 {
-    if (!rotationModel_.valid() || type(p).fixed())
+    if (!rotationModel_.valid())
     {
         return vectorField(type(p).size(), Zero);
     }
@@ -170,8 +170,7 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
     {
         ext.f += parcel.fluidForces();
         ext.t += parcel.fluidTorques();
-        ext.zeta = exchangeModel_->coefficients(ct, mu_, rho_, dt);
-        ext.zetaR = 0.4*ext.zeta*sqr(ct.radii());
+        exchangeModel_->coefficients(ct, mu_, rho_, dt, ext.zeta, ext.zetaR);
         ext.u0 = imposed.u;
         ext.w0 = imposed.w;
 

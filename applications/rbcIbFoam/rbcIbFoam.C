@@ -73,24 +73,26 @@ int main(int argc, char* argv[])
 
         cells.immerse(nu, p.needReference());
 
+        while (piso.loop())
         {
-            const effects::timer t(active, "flow");
-
-            while (piso.loop())
+            if (!piso.firstIter())
             {
-                #include "UEqn.H"
-
-                while (piso.correct())
-                {
-                    #include "pEqn.H"
-                }
-
-                laminarTransport.correct();
-                turbulence->correct();
+                cells.iterate(U, p, nu);
             }
 
-            fvOptions.correct(U);
+            const effects::timer t(active, "flow");
+
+            #include "UEqn.H"
+
+            while (piso.correct())
+            {
+                #include "pEqn.H"
+            }
+
+            laminarTransport.correct();
+            turbulence->correct();
         }
+        fvOptions.correct(U);
 
         cells.evolve(U, p, nu);
 

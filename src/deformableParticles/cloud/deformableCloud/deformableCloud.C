@@ -17,7 +17,7 @@ Foam::vectorField Foam::deformableCloud::imposedSpins
     const clumpParcel& p
 ) const
 {
-    if (!rotationModel_.valid() || type(p).fixed())
+    if (!rotationModel_.valid())
     {
         return vectorField(type(p).size(), Zero);
     }
@@ -31,12 +31,64 @@ void Foam::deformableCloud::immerse
     const bool closed
 )
 {
+    imposed_.setSize(size());
+    label index = 0;
+    for (const clumpParcel& parcel : *this)
+    {
+        imposed_[index++] = parcel.state();
+    }
+
     {
         const effects::timer t(effects_, "ghosts");
         ghosts_.update(*this);
     }
     const effects::timer t(effects_, "solid fraction");
     immersedBoundary_->update(ghosts_.images(), nu, closed);
+}
+
+
+void Foam::deformableCloud::iterate
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
+    mu_ = rho_*gMax(nu.primitiveField());
+    gatherForces(U, p, nu);
+
+    // The step as it would end now; only its velocities are kept
+    List<clumpState> start(size());
+    label index = 0;
+    for (const clumpParcel& parcel : *this)
+    {
+        start[index++] = parcel.state();
+    }
+
+    advance(mesh_.time().deltaTValue());
+
+    index = 0;
+    for (clumpParcel& parcel : *this)
+    {
+        imposed_[index].u = parcel.state().u;
+        imposed_[index].w = parcel.state().w;
+        parcel.state() = start[index];
+        parcel.state().u = imposed_[index].u;
+        parcel.state().w = imposed_[index].w;
+        ++index;
+    }
+    {
+        const effects::timer t(effects_, "ghosts");
+        ghosts_.update(*this);
+    }
+    index = 0;
+    for (clumpParcel& parcel : *this)
+    {
+        parcel.state() = start[index++];
+    }
+
+    const effects::timer t(effects_, "solid fraction");
+    immersedBoundary_->impose(ghosts_.images());
 }
 
 
@@ -101,6 +153,7 @@ void Foam::deformableCloud::gatherForces
 Foam::integrator::externals Foam::deformableCloud::steadyForces
 (
     const clumpParcel& parcel,
+    const clumpState& imposed,
     const scalar dt
 ) const
 {
@@ -117,15 +170,17 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
     {
         ext.f += parcel.fluidForces();
         ext.t += parcel.fluidTorques();
-        ext.zeta = exchangeModel_->coefficients(ct, mu_, rho_, dt);
-        ext.zetaR = 0.4*ext.zeta*sqr(ct.radii());
-        ext.u0 = s.u;
-        ext.w0 = s.w;
+        exchangeModel_->coefficients(ct, mu_, rho_, dt, ext.zeta, ext.zetaR);
+        ext.u0 = imposed.u;
+        ext.w0 = imposed.w;
 
         if (immersedBoundary_->addsInteriorInertia())
         {
-            ext.f += rho_*ct.volumes()*s.a;
-            ext.t += 0.4*rho_*ct.volumes()*sqr(ct.radii())*s.b;
+            // From the velocity the fluid inside had to the one it has
+            const scalar dt0 = mesh_.time().deltaT0Value();
+            const scalarField m(rho_*ct.volumes()/dt);
+            ext.f += m*(imposed.u - s.u + dt0*s.a);
+            ext.t += 0.4*m*sqr(ct.radii())*(imposed.w - s.w + dt0*s.b);
         }
     }
 
@@ -244,13 +299,21 @@ void Foam::deformableCloud::advance(const scalar dt)
 {
     const label n = size();
     List<integrator::externals> steady(n);
-    List<clumpState> start(n);
+
+    if (!wet())
+    {
+        imposed_.setSize(n);
+    }
 
     label index = 0;
     for (const clumpParcel& parcel : *this)
     {
-        start[index] = parcel.state();
-        steady[index++] = steadyForces(parcel, dt);
+        if (!wet())
+        {
+            imposed_[index] = parcel.state();
+        }
+        steady[index] = steadyForces(parcel, imposed_[index], dt);
+        ++index;
     }
 
     const bool touching = effects_.active("contact");
@@ -311,8 +374,8 @@ void Foam::deformableCloud::advance(const scalar dt)
     for (clumpParcel& parcel : *this)
     {
         clumpState& s = parcel.state();
-        s.a = (s.u - start[index].u)/dt;
-        s.b = (s.w - start[index].w)/dt;
+        s.a = (s.u - imposed_[index].u)/dt;
+        s.b = (s.w - imposed_[index].w)/dt;
         ++index;
     }
 }

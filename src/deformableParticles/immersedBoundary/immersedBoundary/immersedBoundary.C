@@ -58,10 +58,18 @@ Foam::immersedBoundary::immersedBoundary
         mesh,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
-    cellReach_(mesh.nCells(), Zero),
     closed_(false)
 {
-    const labelListList& cellPoints = mesh.cellPoints();
+    setReaches();
+}
+
+
+void Foam::immersedBoundary::setReaches()
+{
+    cellReach_ = scalarField(mesh_.nCells(), Zero);
+    sumLambda_ = scalarField(mesh_.nCells(), Zero);
+
+    const labelListList& cellPoints = mesh_.cellPoints();
     forAll(cellReach_, celli)
     {
         for (const label pointi : cellPoints[celli])
@@ -69,13 +77,13 @@ Foam::immersedBoundary::immersedBoundary
             cellReach_[celli] = max
             (
                 cellReach_[celli],
-                mag(mesh.points()[pointi] - mesh.cellCentres()[celli])
+                mag(mesh_.points()[pointi] - mesh_.cellCentres()[celli])
             );
         }
     }
 
     // Every processor builds its tree together with the others
-    mesh.cellTree();
+    mesh_.cellTree();
 }
 
 
@@ -196,11 +204,8 @@ void Foam::immersedBoundary::clearCovered()
             solidFraction_[celli] = 0;
             solidVelocity_[celli] = Zero;
             strength_[celli] = 0;
+            sumLambda_[celli] = 0;
         }
-    }
-    if (dilates_)
-    {
-        dilation_ = dimensionedScalar(dilation_.dimensions(), Zero);
     }
 }
 
@@ -226,7 +231,18 @@ void Foam::immersedBoundary::update
 )
 {
     closed_ = closed;
-    clearCovered();
+    if (mesh_.changing())
+    {
+        // The fields were mapped with the mesh: every cell may hold a rest
+        setReaches();
+        solidFraction_ = dimensionedScalar(dimless, Zero);
+        solidVelocity_ = dimensionedVector(dimVelocity, Zero);
+        strength_ = dimensionedScalar(dimless/dimTime, Zero);
+    }
+    else
+    {
+        clearCovered();
+    }
     covers_ = List<cover>(images.size());
 
     forAll(images, a)
@@ -237,7 +253,7 @@ void Foam::immersedBoundary::update
 
         forAll(c.cells, k)
         {
-            solidFraction_[c.cells[k]] += c.lambda[k];
+            sumLambda_[c.cells[k]] += c.lambda[k];
         }
     }
 
@@ -245,35 +261,23 @@ void Foam::immersedBoundary::update
 
     forAll(images, a)
     {
-        const clumpImage& image = images[a];
         const cover& c = covers_[a];
-        const scalarField& radii = types_[image.typeId].radii();
-        const label n = image.x.size();
+        const scalarField& radii = types_[images[a].typeId].radii();
+        const label n = radii.size();
 
         forAll(c.cells, k)
         {
             const label celli = c.cells[k];
-            const point& x = mesh_.cellCentres()[celli];
-            const scalar total = solidFraction_[celli];
-            const scalar share = c.lambda[k]/total;
             scalar radius = 0;
-
             for (label i = 0; i < n; ++i)
             {
                 radius += c.weights[n*k + i]*radii[i];
-                const vector u(image.u[i] + (image.spin[i] ^ (x - image.x[i])));
-                solidVelocity_[celli] += share*c.weights[n*k + i]*u;
-
-                if (dilates_)
-                {
-                    dilation_[celli] +=
-                        min(total, scalar(1))*share
-                       *(c.gradWeights[n*k + i] & u);
-                }
             }
+
+            solidFraction_[celli] = min(sumLambda_[celli], scalar(1));
             strength_[celli] = forcingModel_->strength
             (
-                min(total, scalar(1)),
+                solidFraction_[celli],
                 dt,
                 nu[celli],
                 Foam::cbrt(mesh_.V()[celli]),
@@ -282,11 +286,48 @@ void Foam::immersedBoundary::update
         }
     }
 
-    forAll(covers_, a)
+    impose(images);
+}
+
+
+void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
+{
+    for (const cover& c : covers_)
     {
-        for (const label celli : covers_[a].cells)
+        for (const label celli : c.cells)
         {
-            solidFraction_[celli] = min(solidFraction_[celli], scalar(1));
+            solidVelocity_[celli] = Zero;
+        }
+    }
+    if (dilates_)
+    {
+        dilation_ = dimensionedScalar(dilation_.dimensions(), Zero);
+    }
+
+    forAll(images, a)
+    {
+        const clumpImage& image = images[a];
+        const cover& c = covers_[a];
+        const label n = image.x.size();
+
+        forAll(c.cells, k)
+        {
+            const label celli = c.cells[k];
+            const point& x = mesh_.cellCentres()[celli];
+            const scalar share = c.lambda[k]/sumLambda_[celli];
+
+            for (label i = 0; i < n; ++i)
+            {
+                const vector u(image.u[i] + (image.spin[i] ^ (x - image.x[i])));
+                solidVelocity_[celli] += share*c.weights[n*k + i]*u;
+
+                if (dilates_)
+                {
+                    dilation_[celli] +=
+                        solidFraction_[celli]*share
+                       *(c.gradWeights[n*k + i] & u);
+                }
+            }
         }
     }
 
@@ -327,16 +368,6 @@ void Foam::immersedBoundary::integrate
       ? gSum(mesh_.V()*p.primitiveField())/gSum(mesh_.V())
       : 0;
 
-    // Fractions of several clumps in a cell may have been scaled down to one
-    scalarField sumLambda(mesh_.nCells(), Zero);
-    for (const cover& c : covers_)
-    {
-        forAll(c.cells, k)
-        {
-            sumLambda[c.cells[k]] += c.lambda[k];
-        }
-    }
-
     forAll(images, a)
     {
         clumpImage& image = images[a];
@@ -350,7 +381,7 @@ void Foam::immersedBoundary::integrate
         {
             const label celli = c.cells[k];
             const point& x = mesh_.cellCentres()[celli];
-            const scalar share = c.lambda[k]/sumLambda[celli];
+            const scalar share = c.lambda[k]/sumLambda_[celli];
             const scalar V = mesh_.V()[celli];
             const vector F(V*share*(*forceModel_)(flow, celli));
             const scalar P =

@@ -19,13 +19,16 @@ Foam::exchangeModels::explicitExchange::explicitExchange(const dictionary&)
 {}
 
 
-Foam::scalarField Foam::exchangeModels::explicitExchange::coefficients
+void Foam::exchangeModels::explicitExchange::coefficients
 (
-    const clumpType& type,
+    const clumpType&,
     const scalar,
     const scalar,
-    const scalar
+    const scalar,
+    scalarField& zeta,
+    scalarField& zetaR
 ) const
 {
-    return scalarField(type.size(), Zero);
+    zeta = 0;
+    zetaR = 0;
 }

@@ -22,14 +22,20 @@ Foam::exchangeModels::robin::robin(const dictionary& dict)
 {}
 
 
-Foam::scalarField Foam::exchangeModels::robin::coefficients
+void Foam::exchangeModels::robin::coefficients
 (
     const clumpType& type,
     const scalar mu,
     const scalar rho,
-    const scalar dt
+    const scalar dt,
+    scalarField& zeta,
+    scalarField& zetaR
 ) const
 {
     using constant::mathematical::pi;
-    return margin_*6*pi*mu*type.radii() + rho*type.volumes()/dt;
+    const scalarField& r = type.radii();
+    const scalarField inertia(rho*type.volumes()/dt);
+
+    zeta = margin_*6*pi*mu*r + inertia;
+    zetaR = margin_*8*pi*mu*pow3(r) + 0.4*inertia*sqr(r);
 }

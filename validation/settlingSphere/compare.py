@@ -1,0 +1,39 @@
+"""Peak velocity and history of settling spheres against ten Cate et al. (2002)."""
+
+import sys
+sys.path.append("../shared")
+from results import Results, plt, read, save
+
+reference = {r["case"]: r for r in read("reference/tencate2002_params_and_peaks.csv")}
+curves = read("reference/tencate2002_curves.csv")
+runs = read("data.csv")
+finest = max(r["D_dx"] for r in runs)
+
+results = Results()
+figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2))
+for r in runs:
+    peak = reference[r["case"]]["u_max_exp_m_s"]
+    results.add(f"peak velocity {r['case']} D/dx {r['D_dx']:g}", r["peak_m_s"], "m/s", peak,
+                "6%" if r["case"] == "E1" else "3%",
+                "ten Cate et al. 2002, Table II, reference/tencate2002_params_and_peaks.csv")
+
+for colour, case in enumerate(("E1", "E2", "E4")):
+    for axes, quantity, column in (left, "vel", "velocity_m_s"), (right, "gap", "gap_over_d"):
+        points = [c for c in curves if (c["src"], c["case"], c["quantity"]) == ("ff", case, quantity)]
+        axes.plot([c["t_s"] for c in points], [c["value"] for c in points], "o", mfc="none", ms=4,
+                  color=f"C{colour}")
+        for resolution in sorted({r["D_dx"] for r in runs}):
+            rows = read(f"data-{case}-{resolution:g}.csv")
+            axes.plot([r["t_s"] for r in rows], [r[column] for r in rows], color=f"C{colour}",
+                      ls="-" if resolution == finest else "--",
+                      label=f"{case}, D/dx {resolution:g}" if axes is left else None)
+left.set_ylabel("velocity [m/s]")
+right.set_ylabel("gap to the floor / D")
+right.set_ylim(0, 8.5)
+for axes in left, right:
+    axes.set_xlim(0, 2)
+    axes.set_xlabel("time [s]")
+left.plot([], [], "ko", mfc="none", ms=4, label="experiment")
+left.legend(fontsize=8)
+save(figure, "settlingSphere.png")
+results.write()

@@ -144,6 +144,8 @@ void Foam::effects::endStep()
 
 void Foam::effects::printLedger(Ostream& os, const scalar total) const
 {
+    const int precision = os.precision(3);
+
     os  << nl << "Ledger (this processor)" << nl
         << setw(18) << "part" << setw(10) << "steps" << setw(10) << "calls"
         << setw(14) << "seconds" << setw(10) << "share" << nl;
@@ -159,4 +161,6 @@ void Foam::effects::printLedger(Ostream& os, const scalar total) const
     os  << setw(18) << "rest" << setw(10) << ' ' << setw(10) << ' '
         << setw(14) << total - sum
         << setw(9) << 100*(total - sum)/max(total, VSMALL) << '%' << nl << endl;
+
+    os.precision(precision);
 }

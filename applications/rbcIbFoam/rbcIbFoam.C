@@ -70,6 +70,7 @@ int main(int argc, char* argv[])
 
         ++runTime;
         report.beginStep(CoNum, viscousNum);
+        report.checkPressure(viscousNum, piso.consistent(), piso.nCorrPISO());
 
         cells.immerse(nu, p.needReference());
 

@@ -64,6 +64,37 @@ inline Foam::vector transverse
 }
 
 
+Foam::bondCoefficients Foam::bondForces::dampingOverStep
+(
+    const clumpType::bond& b,
+    const scalar oneByDt
+)
+{
+    const auto fitted = [oneByDt](const scalar c, const scalar k)
+    {
+        if (c <= 0 || k <= 0)
+        {
+            return c*oneByDt;
+        }
+        const scalar x = k/(c*oneByDt);
+        return
+            x < 1e-3 ? c*oneByDt/(1 + x*(0.5 + x/6))
+          : x < 500 ? k/std::expm1(x)
+          : 0.0;
+    };
+    const bondCoefficients& c = b.damping;
+    const bondCoefficients& k = b.stiffness;
+
+    return
+    {
+        fitted(c.normal, k.normal),
+        fitted(c.tangential, k.tangential),
+        fitted(c.bending, k.bending),
+        fitted(c.torsional, k.torsional)
+    };
+}
+
+
 Foam::bondFrame Foam::bondForces::frameOf
 (
     const clumpType::bond& b,
@@ -185,14 +216,14 @@ Foam::bondForces::response Foam::bondForces::respond
         }
         if (oneByDt > 0)
         {
-            const bondCoefficients& c = b.damping;
+            const bondCoefficients c(dampingOverStep(b, oneByDt));
             const vector nd
             (
-                oneByDt*transverse(c.normal, c.tangential, start.t, dd)
+                transverse(c.normal, c.tangential, start.t, dd)
             );
             const vector md
             (
-                oneByDt*transverse(c.torsional, c.bending, b.direction, dPsi)
+                transverse(c.torsional, c.bending, b.direction, dPsi)
             );
             r.n += nd;
             r.m += md;
@@ -218,7 +249,7 @@ void Foam::bondForces::addTangent
 
     const clumpType::bond& b = type_.bonds()[bi];
     const bondCoefficients& k = b.stiffness;
-    const bondCoefficients& c = b.damping;
+    const bondCoefficients c(dampingOverStep(b, oneByDt));
     const Eigen::Vector3d dv(toEigen(frame.d()));
     const Matrix3d C(toEigen(frame.C()));
     const Matrix3d H(toEigen(frame.H()));
@@ -226,14 +257,14 @@ void Foam::bondForces::addTangent
     const Matrix3d D
     (
         transverse(r.kAlong, geometric ? r.kAcross : max(r.kAcross, 0), r.t)
-      + transverse(oneByDt*c.normal, oneByDt*c.tangential, start_[bi].t)
+      + transverse(c.normal, c.tangential, start_[bi].t)
     );
     const Matrix3d S
     (
         transverse
         (
-            k.torsional + oneByDt*c.torsional,
-            k.bending + oneByDt*c.bending,
+            k.torsional + c.torsional,
+            k.bending + c.bending,
             b.direction
         )
     );

@@ -83,9 +83,9 @@ void Foam::newtonMinimiser::factorise
         return;
     }
 
-    // With inertia the material part is positive definite. At rest it is not (a
-    // clump may move rigidly), while the load opposes rotations.
-    if (potential.moving())
+    // With inertia the material part is positive definite, but slow where the
+    // rest matters. At rest it is not (a clump may move rigidly).
+    if (potential.moving() && nIterations_ < 10)
     {
         potential.value(s, &gradient, &K, false);
     }

@@ -43,6 +43,19 @@ def read_table(name):
         return list(csv.DictReader(line for line in f if not line.startswith("#")))
 
 
+def clump_shape(case=".", clump=0):
+    """Rows of the function object clumpShape of one clump: time, extents along x, y, z."""
+    rows = []
+    folder = os.path.join(case, "postProcessing/clumpShape")
+    for start in sorted(os.listdir(folder), key=float):
+        with open(os.path.join(folder, start, "clumpShape.dat")) as f:
+            for line in f:
+                words = line.replace("(", " ").replace(")", " ").split()
+                if words and words[0] != "#" and int(words[1]) == clump:
+                    rows.append((float(words[0]), [float(w) for w in words[3:6]], words[2]))
+    return rows
+
+
 def inside(row):
     value, reference = float(row["value"]), float(row["reference"])
     tolerance = row["tolerance"]

@@ -89,6 +89,9 @@ def main(names):
             bad += not good
             print(f"{name:<20} {row['quantity']:<58} {row['value']:>11} {row['reference']:>11} {row['tolerance']:>10}"
                   f"  {row['unit']}{'' if good else '   OUTSIDE'}")
+    if not names:
+        print("\nNo results")
+        return 1
     print(f"\n{bad} outside their tolerance" if bad else "\nAll within their tolerances")
     return 1 if bad else 0
 

@@ -72,7 +72,7 @@ Foam::bondCoefficients Foam::bondForces::dampingOverStep
 {
     const auto fitted = [oneByDt](const scalar c, const scalar k)
     {
-        if (c <= 0 || k <= 0)
+        if (c <= 0 || k <= 0 || oneByDt <= 0)
         {
             return c*oneByDt;
         }

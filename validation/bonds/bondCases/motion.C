@@ -138,7 +138,7 @@ void Foam::motion(const label nSteps)
         // The equilibrium under 100 pN, awaited: with a time constant of ten
         // steps, but not below the time in which the cell swings
         OStringStream damping;
-        damping << "type kelvinVoigt; timeConstant " << max(10*dt, 1e-4) << ';';
+        damping << "type kelvinVoigt; timeConstant " << max(10*dt, 5e-5) << ';';
         const clumpType quick(cell(damping.str()));
         const auto ext(equilibrium::stretch(quick, vector(1e-10, 0, 0)));
         clumpState still(quick), moving(quick);

@@ -427,6 +427,22 @@ void Foam::bondForces::store(clumpState& s) const
 }
 
 
+void Foam::bondForces::law
+(
+    const clumpState& s,
+    const label bondi,
+    vector& n,
+    vector& m
+) const
+{
+    const clumpType::bond& b = type_.bonds()[bondi];
+    const bondFrame frame(frameOf(b, s));
+    const response r(elastic(b, frame.d(), frame.psi()));
+    n = r.n;
+    m = r.m;
+}
+
+
 Foam::scalarField Foam::bondForces::tension(const clumpState& s) const
 {
     scalarField result(type_.bonds().size());

@@ -64,12 +64,13 @@ inline Foam::vector transverse
 }
 
 
-Foam::bondCoefficients Foam::bondForces::dampingOverStep
-(
-    const clumpType::bond& b,
-    const scalar oneByDt
-)
+void Foam::bondForces::setDamping(const scalar oneByDt) const
 {
+    if (dampingFor_ == oneByDt)
+    {
+        return;
+    }
+
     const auto fitted = [oneByDt](const scalar c, const scalar k)
     {
         if (c <= 0 || k <= 0 || oneByDt <= 0)
@@ -82,16 +83,21 @@ Foam::bondCoefficients Foam::bondForces::dampingOverStep
           : x < 500 ? k/std::expm1(x)
           : 0.0;
     };
-    const bondCoefficients& c = b.damping;
-    const bondCoefficients& k = b.stiffness;
 
-    return
+    damping_.setSize(type_.bonds().size());
+    forAll(damping_, bi)
     {
-        fitted(c.normal, k.normal),
-        fitted(c.tangential, k.tangential),
-        fitted(c.bending, k.bending),
-        fitted(c.torsional, k.torsional)
-    };
+        const bondCoefficients& c = type_.bonds()[bi].damping;
+        const bondCoefficients& k = type_.bonds()[bi].stiffness;
+        damping_[bi] =
+        {
+            fitted(c.normal, k.normal),
+            fitted(c.tangential, k.tangential),
+            fitted(c.bending, k.bending),
+            fitted(c.torsional, k.torsional)
+        };
+    }
+    dampingFor_ = oneByDt;
 }
 
 
@@ -109,7 +115,8 @@ Foam::bondForces::bondForces(const clumpType& type)
 :
     type_(type),
     start_(type.bonds().size()),
-    grad_(type.size(), Zero)
+    grad_(type.size(), Zero),
+    dampingFor_(-1)
 {}
 
 
@@ -216,7 +223,7 @@ Foam::bondForces::response Foam::bondForces::respond
         }
         if (oneByDt > 0)
         {
-            const bondCoefficients c(dampingOverStep(b, oneByDt));
+            const bondCoefficients& c = damping_[bi];
             const vector nd
             (
                 transverse(c.normal, c.tangential, start.t, dd)
@@ -249,7 +256,7 @@ void Foam::bondForces::addTangent
 
     const clumpType::bond& b = type_.bonds()[bi];
     const bondCoefficients& k = b.stiffness;
-    const bondCoefficients c(dampingOverStep(b, oneByDt));
+    const bondCoefficients& c = damping_[bi];
     const Eigen::Vector3d dv(toEigen(frame.d()));
     const Matrix3d C(toEigen(frame.C()));
     const Matrix3d H(toEigen(frame.H()));
@@ -376,6 +383,7 @@ Foam::scalar Foam::bondForces::stepForces
     F = Zero;
     T = Zero;
     const scalar oneByDt = dt > 0 ? 1/dt : 0;
+    setDamping(oneByDt);
     scalar energy = 0;
 
     forAll(type_.bonds(), bi)

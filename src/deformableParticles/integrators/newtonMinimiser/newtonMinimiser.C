@@ -135,7 +135,8 @@ bool Foam::newtonMinimiser::minimise
         K.solve(step);
 
         const scalar force = size(potential.type(), gradient);
-        before = s;
+        before.x = s.x;
+        before.q = s.q;
         const scalar before0 = W;
         scalar fraction = 1;
         scalar moved = GREAT;

@@ -9,10 +9,11 @@ Description
     Fits the parameters of a clump type to a measured curve, or, without free
     parameters, compares a type with it.
 
-        calibrateClump calibration
+        calibrateClump [-evaluate] [-variant n] calibration
 
-    reads the dictionary "calibration" and writes into a folder of its name with
-    .fit: the type to paste into constant/clumpProperties (clumpType), the
+    reads the dictionary "calibration", fits (or, with -evaluate, takes the type
+    as it is) all variants (or variant n alone) and writes into a folder of its
+    name with .fit (or .evaluated, and n): the type to paste into constant/clumpProperties (clumpType), the
     residual of every point (residuals.csv) and a smooth curve (curve.csv);
     applications/calibrateClump/plotCalibration draws both.
 
@@ -97,7 +98,7 @@ label writeCurve
     {
         const clumpType clump("fit", solution.type(y, v));
         label n = 0;
-        const List<scalarField> curve(test.predict(clump, x, n));
+        const List<scalarField> curve(test.predict(clump, x, &n));
         unstable += n;
         forAll(x, i)
         {
@@ -121,6 +122,8 @@ int main(int argc, char* argv[])
     argList::noFunctionObjects();
     argList::addNote("Fit the parameters of a clump type to a measured curve");
     argList::addArgument("dictionary", "what to fit to what");
+    argList::addBoolOption("evaluate", "compare the type as it is");
+    argList::addOption("variant", "number", "fit this variant alone");
     argList args(argc, argv, false, false);
 
     const clockTime timer;
@@ -142,11 +145,31 @@ int main(int argc, char* argv[])
         dict.subDict("data"), file.path(), test->quantities()
     );
     const dictionary& type = dict.subDict("type");
-    const freeParameters parameters(dict.subDict("parameters"), type);
+    const bool evaluate = args.found("evaluate");
+    const freeParameters parameters
+    (
+        evaluate ? dictionary::null : dict.subDict("parameters"), type
+    );
+
     PtrList<dictionary> variants;
     if (dict.found("variants"))
     {
         variants = PtrList<dictionary>(dict.lookup("variants"));
+    }
+    fileName folder(file + (evaluate ? ".evaluated" : ".fit"));
+    if (args.found("variant"))
+    {
+        const label v = args.get<label>("variant");
+        if (v < 0 || v >= variants.size())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Option -variant " << v << ": there are "
+                << variants.size() << " variants" << exit(FatalIOError);
+        }
+        PtrList<dictionary> one(1);
+        one.set(0, variants.set(v, nullptr));
+        variants.transfer(one);
+        folder += Foam::name(v);
     }
 
     fit solution(*test, data, parameters, type, variants);
@@ -154,7 +177,6 @@ int main(int argc, char* argv[])
     const Eigen::VectorXd z(solution.residuals(y));
     const scalarField sigma(solution.uncertainties(y));
 
-    const fileName folder(file + ".fit");
     mkDir(folder);
     writeResiduals
     (

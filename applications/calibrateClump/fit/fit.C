@@ -56,10 +56,9 @@ Eigen::VectorXd Foam::fit::residuals(const Eigen::VectorXd& y) const
     for (label v = 0; v < nVariants(); ++v)
     {
         const clumpType clump("fit", type(y, v));
-        label unstable = 0;
         const List<scalarField> model
         (
-            test_.predict(clump, data_.abscissas(), unstable)
+            test_.predict(clump, data_.abscissas())
         );
         ++nCalls_;
 

@@ -5,6 +5,7 @@
 
 #include "measurement.H"
 #include "modelSelection.H"
+#include "Pair.H"
 
 namespace
 {
@@ -19,6 +20,44 @@ string textOf(const dictionary& dict, const word& key)
         t.isWord() ? string(t.wordToken())
       : t.isString() ? t.stringToken()
       : string(Foam::name(t.number()));
+}
+
+
+//- Half an error bar, in the table's unit; 0 where none is given
+scalar errorBar(const csvTable& table, const label row, const dictionary& v)
+{
+    scalar error = 0;
+
+    if (v.found("errorColumn"))
+    {
+        const label e = table.column(textOf(v, "errorColumn"));
+        if (table.empty(row, e))
+        {
+            return 0;
+        }
+        error = table.number(row, e);
+    }
+    else if (v.found("boundColumns"))
+    {
+        const Pair<word> names(v.lookup("boundColumns"));
+        const label low = table.column(names.first());
+        const label high = table.column(names.second());
+        if (table.empty(row, low) || table.empty(row, high))
+        {
+            return 0;
+        }
+        error = 0.5*(table.number(row, high) - table.number(row, low));
+    }
+    else
+    {
+        return 0;
+    }
+
+    if (error <= 0)
+    {
+        table.fail(row, "an error bar must be positive");
+    }
+    return error;
 }
 
 }
@@ -96,17 +135,10 @@ Foam::measurement::measurement
             p.error = getPositive(v, "relativeError")*mag(p.value);
             p.line = table.line(row);
 
-            if (v.found("errorColumn"))
+            const scalar given = unit*errorBar(table, row, v);
+            if (given > 0)
             {
-                const label e = table.column(textOf(v, "errorColumn"));
-                if (!table.empty(row, e))
-                {
-                    p.error = unit*table.number(row, e);
-                    if (p.error <= 0)
-                    {
-                        table.fail(row, "an error bar must be positive");
-                    }
-                }
+                p.error = given;
             }
             points_.append(p);
         }

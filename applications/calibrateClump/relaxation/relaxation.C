@@ -83,11 +83,14 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
 (
     const clumpType& type,
     const UList<scalar>& times,
-    label& unstable
+    label* unstable
 ) const
 {
     List<scalarField> result(1, scalarField(times.size(), GREAT));
-    unstable = 0;
+    if (unstable)
+    {
+        *unstable = 0;
+    }
 
     clumpState s(type);
     if (!stretch(type, s))

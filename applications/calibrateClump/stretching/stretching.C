@@ -20,13 +20,16 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
 (
     const clumpType& type,
     const UList<scalar>& forces,
-    label& unstable
+    label* unstable
 ) const
 {
     List<scalarField> result(2, scalarField(forces.size(), GREAT));
     const equilibrium solver;
     clumpState s(type);
-    unstable = 0;
+    if (unstable)
+    {
+        *unstable = 0;
+    }
 
     forAll(forces, k)
     {
@@ -47,9 +50,12 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
                 clumpExtent::along(directions[q], s.x, type.radii(), reading_);
         }
 
-        // Zero within rounding: the rigid motions
-        const scalarField stiffness(equilibrium::spectrum(type, ext, s));
-        unstable += stiffness[0] < -1e-9*stiffness.last();
+        if (unstable)
+        {
+            // Zero within the error of the differences: the rigid motions
+            const scalarField k(equilibrium::spectrum(type, ext, s));
+            *unstable += k[0] < -1e-7*k.last();
+        }
     }
 
     return result;

@@ -5,29 +5,6 @@
 
 #include "bondFrame.H"
 
-Foam::vector Foam::rotationVector(const quaternion& q)
-{
-    const scalar sign = q.w() < 0 ? -1 : 1;
-    const scalar s = mag(q.v());
-
-    // theta/sin(theta/2) -> 2 for small angles
-    const scalar scale =
-        s > 1e-8 ? 2*Foam::atan2(s, sign*q.w())/s : 2/(sign*q.w());
-
-    return sign*scale*q.v();
-}
-
-
-Foam::quaternion Foam::rotation(const vector& v)
-{
-    const scalar angle = mag(v);
-    const scalar s = angle > 1e-8 ? Foam::sin(angle/2)/angle : 0.5;
-    quaternion q(Foam::cos(angle/2), s*v);
-    q.normalize();
-    return q;
-}
-
-
 namespace
 {
 
@@ -60,6 +37,39 @@ inline void halfAngleOverSine
     f = 1 + t*g;
 }
 
+}
+
+
+Foam::vector Foam::rotationVector(const quaternion& q)
+{
+    const scalar sign = q.w() < 0 ? -1 : 1;
+    const scalar w = sign*q.w();
+    const scalar s2 = magSqr(q.v());
+    const scalar t = s2/(2*(1 + w));
+
+    scalar f, g;
+    halfAngleOverSine(t, t > 0.1 ? Foam::atan2(Foam::sqrt(s2), w) : 0, f, g);
+    return (2*sign*f)*q.v();
+}
+
+
+Foam::quaternion Foam::rotation(const vector& v)
+{
+    const scalar a2 = magSqr(v)/4;
+    if (a2 < 1e-2)
+    {
+        // Series of sine and cosine, to rounding
+        const scalar s =
+            1 - a2/6*(1 - a2/20*(1 - a2/42*(1 - a2/72*(1 - a2/110))));
+        const scalar c =
+            1 - a2/2*(1 - a2/12*(1 - a2/30*(1 - a2/56*(1 - a2/90))));
+        return quaternion(c, (0.5*s)*v);
+    }
+
+    const scalar a = Foam::sqrt(a2);
+    quaternion q(Foam::cos(a), (0.5*Foam::sin(a)/a)*v);
+    q.normalize();
+    return q;
 }
 
 

@@ -16,9 +16,27 @@ namespace dampingModels
 
 
 Foam::dampingModels::kelvinVoigt::kelvinVoigt(const dictionary& dict)
-:
-    tau_(getPositive(dict, "timeConstant"))
-{}
+{
+    if (dict.found("timeConstants"))
+    {
+        if (dict.found("timeConstant"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Give either timeConstant or timeConstants"
+                << exit(FatalIOError);
+        }
+        const dictionary& d = dict.subDict("timeConstants");
+        tau_.normal = getPositive(d, "normal");
+        tau_.tangential = getPositive(d, "tangential");
+        tau_.bending = getPositive(d, "bending");
+        tau_.torsional = getPositive(d, "torsional");
+    }
+    else
+    {
+        const scalar tau = getPositive(dict, "timeConstant");
+        tau_ = {tau, tau, tau, tau};
+    }
+}
 
 
 Foam::bondCoefficients Foam::dampingModels::kelvinVoigt::coefficients
@@ -30,6 +48,9 @@ Foam::bondCoefficients Foam::dampingModels::kelvinVoigt::coefficients
 {
     return
     {
-        tau_*k.normal, tau_*k.tangential, tau_*k.bending, tau_*k.torsional
+        tau_.normal*k.normal,
+        tau_.tangential*k.tangential,
+        tau_.bending*k.bending,
+        tau_.torsional*k.torsional
     };
 }

@@ -64,6 +64,43 @@ inline Foam::vector transverse
 }
 
 
+void Foam::bondForces::setDamping(const scalar oneByDt) const
+{
+    if (dampingFor_ == oneByDt)
+    {
+        return;
+    }
+
+    const auto fitted = [oneByDt](const scalar c, const scalar k)
+    {
+        if (c <= 0 || k <= 0 || oneByDt <= 0)
+        {
+            return c*oneByDt;
+        }
+        const scalar x = k/(c*oneByDt);
+        return
+            x < 1e-3 ? c*oneByDt/(1 + x*(0.5 + x/6))
+          : x < 500 ? k/std::expm1(x)
+          : 0.0;
+    };
+
+    damping_.setSize(type_.bonds().size());
+    forAll(damping_, bi)
+    {
+        const bondCoefficients& c = type_.bonds()[bi].damping;
+        const bondCoefficients& k = type_.bonds()[bi].stiffness;
+        damping_[bi] =
+        {
+            fitted(c.normal, k.normal),
+            fitted(c.tangential, k.tangential),
+            fitted(c.bending, k.bending),
+            fitted(c.torsional, k.torsional)
+        };
+    }
+    dampingFor_ = oneByDt;
+}
+
+
 Foam::bondFrame Foam::bondForces::frameOf
 (
     const clumpType::bond& b,
@@ -78,7 +115,8 @@ Foam::bondForces::bondForces(const clumpType& type)
 :
     type_(type),
     start_(type.bonds().size()),
-    grad_(type.size(), Zero)
+    grad_(type.size(), Zero),
+    dampingFor_(-1)
 {}
 
 
@@ -185,14 +223,14 @@ Foam::bondForces::response Foam::bondForces::respond
         }
         if (oneByDt > 0)
         {
-            const bondCoefficients& c = b.damping;
+            const bondCoefficients& c = damping_[bi];
             const vector nd
             (
-                oneByDt*transverse(c.normal, c.tangential, start.t, dd)
+                transverse(c.normal, c.tangential, start.t, dd)
             );
             const vector md
             (
-                oneByDt*transverse(c.torsional, c.bending, b.direction, dPsi)
+                transverse(c.torsional, c.bending, b.direction, dPsi)
             );
             r.n += nd;
             r.m += md;
@@ -218,7 +256,7 @@ void Foam::bondForces::addTangent
 
     const clumpType::bond& b = type_.bonds()[bi];
     const bondCoefficients& k = b.stiffness;
-    const bondCoefficients& c = b.damping;
+    const bondCoefficients& c = damping_[bi];
     const Eigen::Vector3d dv(toEigen(frame.d()));
     const Matrix3d C(toEigen(frame.C()));
     const Matrix3d H(toEigen(frame.H()));
@@ -226,14 +264,14 @@ void Foam::bondForces::addTangent
     const Matrix3d D
     (
         transverse(r.kAlong, geometric ? r.kAcross : max(r.kAcross, 0), r.t)
-      + transverse(oneByDt*c.normal, oneByDt*c.tangential, start_[bi].t)
+      + transverse(c.normal, c.tangential, start_[bi].t)
     );
     const Matrix3d S
     (
         transverse
         (
-            k.torsional + oneByDt*c.torsional,
-            k.bending + oneByDt*c.bending,
+            k.torsional + c.torsional,
+            k.bending + c.bending,
             b.direction
         )
     );
@@ -345,6 +383,7 @@ Foam::scalar Foam::bondForces::stepForces
     F = Zero;
     T = Zero;
     const scalar oneByDt = dt > 0 ? 1/dt : 0;
+    setDamping(oneByDt);
     scalar energy = 0;
 
     forAll(type_.bonds(), bi)
@@ -393,6 +432,22 @@ void Foam::bondForces::store(clumpState& s) const
         s.n[bi] = r.n;
         s.m[bi] = r.m;
     }
+}
+
+
+void Foam::bondForces::law
+(
+    const clumpState& s,
+    const label bondi,
+    vector& n,
+    vector& m
+) const
+{
+    const clumpType::bond& b = type_.bonds()[bondi];
+    const bondFrame frame(frameOf(b, s));
+    const response r(elastic(b, frame.d(), frame.psi()));
+    n = r.n;
+    m = r.m;
 }
 
 

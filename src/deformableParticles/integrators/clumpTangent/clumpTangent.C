@@ -5,6 +5,85 @@
 
 #include "clumpTangent.H"
 
+namespace
+{
+
+typedef Foam::clumpTangent::block block;
+
+//- Cholesky factor of a block in place, below the diagonal; on the diagonal its
+//  inverse. False when not positive definite.
+inline bool cholesky(block& A)
+{
+    for (int j = 0; j < 6; ++j)
+    {
+        double d = A(j, j);
+        for (int k = 0; k < j; ++k)
+        {
+            d -= A(j, k)*A(j, k);
+        }
+        if (!(d > 0))
+        {
+            return false;
+        }
+        const double oneBy = 1/std::sqrt(d);
+        A(j, j) = oneBy;
+        for (int i = j + 1; i < 6; ++i)
+        {
+            double a = A(i, j);
+            for (int k = 0; k < j; ++k)
+            {
+                a -= A(i, k)*A(j, k);
+            }
+            A(i, j) = a*oneBy;
+        }
+    }
+    return true;
+}
+
+
+//- A L^-T, in place
+inline void divideByTransposed(const block& L, block& A)
+{
+    for (int j = 0; j < 6; ++j)
+    {
+        for (int k = 0; k < j; ++k)
+        {
+            A.col(j) -= L(j, k)*A.col(k);
+        }
+        A.col(j) *= L(j, j);
+    }
+}
+
+
+//- L^-1 x and L^-T x, in place
+inline void forward(const block& L, double* x)
+{
+    for (int j = 0; j < 6; ++j)
+    {
+        x[j] *= L(j, j);
+        for (int i = j + 1; i < 6; ++i)
+        {
+            x[i] -= L(i, j)*x[j];
+        }
+    }
+}
+
+
+inline void backward(const block& L, double* x)
+{
+    for (int j = 5; j >= 0; --j)
+    {
+        for (int i = j + 1; i < 6; ++i)
+        {
+            x[j] -= L(i, j)*x[i];
+        }
+        x[j] *= L(j, j);
+    }
+}
+
+}
+
+
 Foam::clumpTangent::clumpTangent(const clumpType& type)
 :
     pattern_(type.pattern()),
@@ -71,25 +150,21 @@ bool Foam::clumpTangent::factorise
             D.diagonal().tail<3>().array() += rotationShift;
         }
 
-        const Eigen::LLT<block> llt(D);
-        if (llt.info() != Eigen::Success)
+        if (!cholesky(D))
         {
             return false;
         }
-        D = llt.matrixL();
 
         for (label a = pattern_.start(j) + 1; a < pattern_.start(j + 1); ++a)
         {
-            // L_aj = A_aj L_jj^-T
-            D.triangularView<Eigen::Lower>().transpose()
-                .solveInPlace<Eigen::OnTheRight>(factor_[a]);
+            divideByTransposed(D, factor_[a]);
         }
         for (label b = pattern_.start(j) + 1; b < pattern_.start(j + 1); ++b)
         {
             for (label a = b; a < pattern_.start(j + 1); ++a)
             {
                 factor_[targets[next++]].noalias() -=
-                    factor_[a]*factor_[b].transpose();
+                    factor_[a].lazyProduct(factor_[b].transpose());
             }
         }
     }
@@ -109,7 +184,7 @@ void Foam::clumpTangent::substitute(Eigen::VectorXd& x) const
     for (label j = 0; j < size(); ++j)
     {
         auto xj = x.segment<6>(6*j);
-        factor_[pattern_.start(j)].triangularView<Eigen::Lower>().solveInPlace(xj);
+        forward(factor_[pattern_.start(j)], &x[6*j]);
         for (label a = pattern_.start(j) + 1; a < pattern_.start(j + 1); ++a)
         {
             x.segment<6>(6*pattern_.row(a)).noalias() -= factor_[a]*xj;
@@ -122,8 +197,7 @@ void Foam::clumpTangent::substitute(Eigen::VectorXd& x) const
         {
             xj.noalias() -= factor_[a].transpose()*x.segment<6>(6*pattern_.row(a));
         }
-        factor_[pattern_.start(j)].triangularView<Eigen::Lower>().transpose()
-            .solveInPlace(xj);
+        backward(factor_[pattern_.start(j)], &x[6*j]);
     }
 }
 

@@ -53,18 +53,41 @@ Foam::scalarField Foam::equilibrium::spectrum
 {
     const incrementalPotential potential(type, ext, 0, s);
     const label n = 6*type.size();
+    const scalar r = max(type.radii());
+    const scalar h = 1e-5;
     Eigen::VectorXd gradient(n);
-    clumpTangent K(type);
-    potential.value(s, &gradient, &K);
+    Eigen::MatrixXd K(n, n);
 
-    Eigen::VectorXd scale(Eigen::VectorXd::Ones(n));
-    for (label i = 0; i < type.size(); ++i)
+    const auto gradientAt = [&](const label c, const scalar step)
     {
-        scale.segment<3>(6*i + 3).setConstant(1/max(type.radii()));
+        clumpState moved(s);
+        vector e(Zero);
+        e[c % 3] = step;
+        if (c % 6 < 3)
+        {
+            moved.x[c/6] += r*e;
+        }
+        else
+        {
+            moved.q[c/6] = rotation(e)*moved.q[c/6];
+        }
+        potential.value(moved, &gradient);
+        for (label i = 0; i < type.size(); ++i)
+        {
+            gradient.segment<3>(6*i + 3) /= r;
+        }
+        return gradient;
+    };
+
+    // By differences: all of it, of models that give no tangent too
+    for (label c = 0; c < n; ++c)
+    {
+        K.col(c) = gradientAt(c, h);
+        K.col(c) = (K.col(c) - gradientAt(c, -h)).eval()/(2*h*r);
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver
     (
-        scale.asDiagonal()*K.dense()*scale.asDiagonal()
+        0.5*(K + K.transpose())
     );
 
     scalarField result(n);

@@ -38,11 +38,7 @@ void Foam::integrators::implicitEuler::advance
 
     // Start from the motion at the old velocities where it lies lower than rest
     const scalar W0 = potential.value(s);
-    forAll(s.x, i)
-    {
-        s.x[i] += dt*start.u[i];
-        s.q[i] = rotation(dt*start.w[i])*start.q[i];
-    }
+    predict(type, dt, s);
     if (potential.value(s) > W0)
     {
         s.x = start.x;
@@ -66,6 +62,35 @@ void Foam::integrators::implicitEuler::advance
 
     balanceMomentum(type, ext, dt, start, s);
     potential.bonds().store(s);
+}
+
+
+void Foam::integrators::implicitEuler::predict
+(
+    const clumpType& type,
+    const scalar dt,
+    clumpState& s
+)
+{
+    const point centre(s.centre(type));
+    const vector velocity(s.velocity(type));
+    const vector omega(s.angularVelocity(type));
+    const quaternion turn(rotation(dt*omega));
+    const tensor R(turn.R());
+
+    // Velocities are ways of the last step over its time: of its middle
+    const tensor half(rotation(0.5*dt*omega).R());
+
+    forAll(s.x, i)
+    {
+        const vector r(s.x[i] - centre);
+        const vector deformation
+        (
+            (half & (s.u[i] - velocity)) - (omega ^ r)
+        );
+        s.x[i] = centre + dt*velocity + (R & (r + dt*deformation));
+        s.q[i] = turn*rotation(dt*(s.w[i] - omega))*s.q[i];
+    }
 }
 
 

@@ -15,11 +15,12 @@ using namespace Foam;
 vector spinGradient(const vector& phi, const vector& v)
 {
     const scalar p2 = magSqr(phi);
-    const scalar p = Foam::sqrt(p2);
-    const scalar c =
-        p2 < 1e-4
-      ? 1.0/12.0 + p2/720
-      : (1 - 0.5*p/Foam::tan(0.5*p))/p2;
+    scalar c = 1.0/12.0 + p2/720*(1 + p2/42*(1 + p2/40));
+    if (p2 > 0.01)
+    {
+        const scalar p = Foam::sqrt(p2);
+        c = (1 - 0.5*p/Foam::tan(0.5*p))/p2;
+    }
     const vector pv(phi ^ v);
 
     return v + 0.5*pv + c*(phi ^ pv);
@@ -61,7 +62,7 @@ Foam::scalar Foam::incrementalPotential::value
 
     scalar W = bonds_.stepForces
     (
-        s, oneByDt_ > 0 ? 1/oneByDt_ : 0, F_, T_, K, geometric
+        s, moving() ? 1/oneByDt_ : 0, F_, T_, K, geometric
     );
 
     forAll(s.x, i)

@@ -83,9 +83,9 @@ void Foam::newtonMinimiser::factorise
         return;
     }
 
-    // With inertia the material part is positive definite. At rest it is not (a
-    // clump may move rigidly), while the load opposes rotations.
-    if (potential.moving())
+    // With inertia the material part is positive definite, but slow where the
+    // rest matters. At rest it is not (a clump may move rigidly).
+    if (potential.moving() && nIterations_ < 10)
     {
         potential.value(s, &gradient, &K, false);
     }
@@ -135,7 +135,8 @@ bool Foam::newtonMinimiser::minimise
         K.solve(step);
 
         const scalar force = size(potential.type(), gradient);
-        before = s;
+        before.x = s.x;
+        before.q = s.q;
         const scalar before0 = W;
         scalar fraction = 1;
         scalar moved = GREAT;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "velocityVerlet.H"
+#include "verletKernel.H"
 
 namespace Foam
 {
@@ -82,6 +83,16 @@ void Foam::integrators::velocityVerlet::advance
     const scalar stable = stableStep(type, ext);
     const label nSub = dt > stable ? label(std::ceil(dt/stable)) : 1;
     const scalar h = dt/nSub;
+
+    if (!type.conservation().active())
+    {
+        verletKernel kernel(type);
+        kernel.load(s, ext);
+        kernel.advance(nSub, h);
+        kernel.store(s);
+        return;
+    }
+
     const pointField x0(s.x);
 
     vectorField F(type.size()), T(type.size());
@@ -109,9 +120,13 @@ void Foam::integrators::velocityVerlet::advance
     bondForces(type, s).explicitForces(s, F, T);
     addExternals();
 
+    bondForces bonds(type);
     for (label sub = 0; sub < nSub; ++sub)
     {
-        const bondForces bonds(type, s);
+        if (type.incremental())
+        {
+            bonds.begin(s);
+        }
 
         kick();
         forAll(s.x, i)

@@ -10,3 +10,20 @@ namespace Foam
     defineTypeNameAndDebug(load, 0);
     defineRunTimeSelectionTable(load, dictionary);
 }
+
+
+void Foam::load::checkSpheres
+(
+    const word& entry,
+    const labelUList& spheres,
+    const label nSpheres
+) const
+{
+    if (min(spheres) < 0 || max(spheres) >= nSpheres)
+    {
+        FatalErrorInFunction
+            << "Load " << type() << ": entry " << entry << ' ' << spheres
+            << " must name spheres 0 to " << nSpheres - 1
+            << " of clump type " << clumpType_ << exit(FatalError);
+    }
+}

@@ -35,17 +35,8 @@ Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
 
 void Foam::loads::oppositeForces::check(const label nSpheres) const
 {
-    for (const labelList& spheres : {plus_, minus_})
-    {
-        if (min(spheres) < 0 || max(spheres) >= nSpheres)
-        {
-            FatalErrorInFunction
-                << "Load oppositeForces: entries plus " << plus_
-                << " and minus " << minus_ << " must name spheres 0 to "
-                << nSpheres - 1 << " of clump type " << clumpType()
-                << exit(FatalError);
-        }
-    }
+    checkSpheres("plus", plus_, nSpheres);
+    checkSpheres("minus", minus_, nSpheres);
 }
 
 

@@ -26,13 +26,7 @@ Foam::loads::tether::tether(const dictionary& dict)
 
 void Foam::loads::tether::check(const label nSpheres) const
 {
-    if (sphere_ < 0 || sphere_ >= nSpheres)
-    {
-        FatalErrorInFunction
-            << "Load tether: entry sphere " << sphere_ << " must be 0 to "
-            << nSpheres - 1 << " for clump type " << clumpType()
-            << exit(FatalError);
-    }
+    checkSpheres("sphere", labelList(1, sphere_), nSpheres);
 }
 
 

@@ -1,0 +1,62 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "pointForces.H"
+
+namespace Foam
+{
+namespace loads
+{
+    defineTypeNameAndDebug(pointForces, 0);
+    addToRunTimeSelectionTable(load, pointForces, dictionary);
+}
+}
+
+
+Foam::loads::pointForces::pointForces(const dictionary& dict)
+:
+    load(dict),
+    spheres_(dict.get<labelList>("spheres")),
+    forces_(dict.get<List<vector>>("forces")),
+    torques_(dict.get<List<vector>>("torques")),
+    factor_(Function1<scalar>::New("factor", dict))
+{
+    if
+    (
+        spheres_.empty()
+     || forces_.size() != spheres_.size()
+     || torques_.size() != spheres_.size()
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "pointForces needs one sphere at least, and as many forces ("
+            << forces_.size() << ") and torques (" << torques_.size()
+            << ") as spheres (" << spheres_.size() << ')'
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::loads::pointForces::check(const label nSpheres) const
+{
+    checkSpheres("spheres", spheres_, nSpheres);
+}
+
+
+void Foam::loads::pointForces::add
+(
+    const scalar time,
+    const pointField&,
+    integrator::externals& ext
+) const
+{
+    const scalar f = factor_->value(time);
+
+    forAll(spheres_, k)
+    {
+        ext.f[spheres_[k]] += f*forces_[k];
+        ext.t[spheres_[k]] += f*torques_[k];
+    }
+}

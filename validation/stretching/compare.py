@@ -1,0 +1,94 @@
+"""Residuals in error bars and the spread over the numbers of spheres; figure of the curves."""
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import results as r
+
+SIZES = [8, 10, 16]
+POPULATIONS = {"healthy": "healthy", "ringStage": "ring stage", "trophozoite": "trophozoite", "schizont": "schizont"}
+SURESH = "Suresh et al. 2005"
+
+
+def curve(case):
+    """{N: [(force pN, axial um, transverse um)]}"""
+    result = {}
+    for row in r.read_table(f"{case}.evaluated/curve.csv"):
+        result.setdefault(SIZES[int(row["variant"])], []).append(
+            (1e12*float(row["force"]), 1e6*float(row["axial"]), 1e6*float(row["transverse"])))
+    return result
+
+
+def residuals(folder):
+    return [(int(row["variant"]), row["quantity"], 1e12*float(row["force"]), 1e6*float(row["measured"]),
+             1e6*float(row["error"]), float(row["z"])) for row in r.read_table(folder + "/residuals.csv")]
+
+
+def worst(folder):
+    return max(abs(row[-1]) for row in residuals(folder))
+
+
+def seconds(log):
+    return float(re.search(r"curves in (\S+) s", open(log).read()).group(1))
+
+
+out = r.Results()
+data = []
+for case, name in POPULATIONS.items():
+    for row in residuals(case + ".evaluated"):
+        data.append([name, SIZES[row[0]], *row[1:]])
+    out.add(f"{name}: largest residual, N = 8, 10, 16, one set", worst(case + ".evaluated"), "error bars", 0, 1.0, SURESH)
+
+    curves = curve(case)
+    spread = 0
+    for k in range(len(curves[8])):
+        for q in (1, 2):
+            values = [curves[n][k][q] for n in SIZES]
+            spread = max(spread, 100*(max(values)/min(values) - 1))
+    out.add(f"{name}: largest difference between N = 8, 10 and 16", spread, "%", 0, 5, "each other")
+
+    unstable = int(re.search(r"unstable states (\d+)", open(f"log.{case}").read()).group(1))
+    out.add(f"{name}: states that buckle", unstable, "-", 0, 0, "second variation of the energy")
+
+    if os.path.exists(f"{case}.fit"):
+        out.add(f"{name}: fitted anew, largest residual", worst(case + ".fit"), "error bars", 0, 1.0, SURESH)
+        out.add(f"{name}: time of that fit", seconds(f"log.{case}.fit"), "s", 0, 30, "aim of this project")
+        for v, n in enumerate(SIZES):
+            out.add(f"{name}: fitted for N = {n} alone, largest residual", worst(f"{case}.fit{v}"), "error bars", 0, 0.7,
+                    SURESH)
+
+out.add("healthy set against an independent experiment", worst("mills.evaluated"), "error bars", 0, 1.0,
+        "Mills et al. 2004")
+out.write()
+
+for case in ("mills", "printed", "conserved"):
+    for row in residuals(case + ".evaluated"):
+        data.append([case, SIZES[row[0]], *row[1:]])
+print("Largest residual of the printed law", worst("printed.evaluated"), "with the area held", worst("conserved.evaluated"))
+r.write_table("data.csv", ["population", "N", "quantity", "force_pN", "measured_um", "error_um", "z"], data)
+
+# Figure
+fig, axes = r.figure(3, 2, 11, 6.6)
+styles = {8: ":", 10: "-", 16: "--"}
+colours = {"axial": "C3", "transverse": "C0"}
+
+
+def draw(ax, case, title):
+    points = [p for p in residuals(case + ".evaluated") if p[0] == 0]
+    for q, quantity in enumerate(("axial", "transverse")):
+        rows = [p for p in points if p[1] == quantity]
+        ax.errorbar([p[2] for p in rows], [p[3] for p in rows], [p[4] for p in rows], fmt="o", ms=3, lw=0.8,
+                    capsize=2, color="0.45", label="experiment" if q == 0 else None)
+        for n, points_n in curve(case).items():
+            ax.plot([p[0] for p in points_n], [p[1 + q] for p in points_n], styles[n], color=colours[quantity],
+                    label=f"{quantity}, N = {n}")
+    ax.set(title=title, xlabel="force (pN)", ylabel="diameter (um)", ylim=(2, 19))
+
+
+for ax, (case, name) in zip(axes.flat, POPULATIONS.items()):
+    draw(ax, case, name)
+draw(axes[1][1], "printed", "healthy, law as printed")
+draw(axes[1][2], "conserved", "healthy, enclosed area held")
+axes[1][0].legend(fontsize=8, ncol=2, loc="upper left")
+r.save(fig, "stretching.png")

@@ -17,10 +17,14 @@ Description
     nCorrectors, nNonOrthogonalCorrectors, consistent, momentumPredictor.
     With nu dt/dx^2 above about 10 set consistent yes.
 
+    With constant/dynamicMeshDict the mesh refines around the clumps
+    (dynamicRefineFvMesh on the field clumpCloseness, see immersedBoundary).
+
     Without a fluid (no constant/transportProperties) the clumps move alone.
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "dynamicFvMesh.H"
 #include "singlePhaseTransportModel.H"
 #include "turbulentTransportModel.H"
 #include "pimpleControl.H"
@@ -39,7 +43,7 @@ int main(int argc, char* argv[])
     #include "postProcess.H"
     #include "setRootCase.H"
     #include "createTime.H"
-    #include "createMesh.H"
+    #include "createDynamicFvMesh.H"
 
     deformableCloud cells(mesh);
     effects& active = cells.activeEffects();
@@ -71,6 +75,11 @@ int main(int argc, char* argv[])
         ++runTime;
         report.beginStep(CoNum, viscousNum);
         report.checkPressure(viscousNum, piso.consistent(), piso.nCorrPISO());
+
+        if (mesh.dynamic())
+        {
+            #include "refineMesh.H"
+        }
 
         cells.immerse(nu, p.needReference());
 

@@ -23,6 +23,8 @@ for colour, case in enumerate(("E1", "E2", "E4")):
         axes.plot([c["t_s"] for c in points], [c["value"] for c in points], "o", mfc="none", ms=4,
                   color=f"C{colour}")
         for resolution in sorted({r["D_dx"] for r in runs}):
+            if not any((r["case"], r["D_dx"]) == (case, resolution) for r in runs):
+                continue
             rows = read(f"data-{case}-{resolution:g}.csv")
             axes.plot([r["t_s"] for r in rows], [r[column] for r in rows], color=f"C{colour}",
                       ls="-" if resolution == finest else "--",

@@ -28,7 +28,7 @@ for (fraction, forcing, phi, resolution), rows in groups.items():
     print(f"{fraction:15s} {forcing:11s} phi {phi:<6g} D/dx {resolution:<3g}"
           f"{mean(errors):8.1f} +- {deviation(errors):4.1f}   {mean([r['seconds'] for r in rows]):6.2f} s")
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2))
+figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4))
 models = sorted({k[:2] for k in groups}, key=lambda m: m != ("subSampled", "cutCell"))
 
 
@@ -49,7 +49,8 @@ for axes in left, right:
     axes.set_xscale("log", base=2)
     axes.set_xticks([4, 8, 16], ["4", "8", "16"])
     axes.set_xlabel("D/dx")
-    axes.legend(fontsize=8)
+left.legend(fontsize=8)
+right.legend(fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
 left.set_title("recommended models", fontsize=10)
 right.set_title("all models, volume fraction 0.064", fontsize=10)
 left.set_ylabel("drag, deviation from Zick and Homsy [%]")

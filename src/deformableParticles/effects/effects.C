@@ -15,7 +15,10 @@ const char* const selectableNames[] =
     {"fluid", "convection", "gravity", "contact", "walls"};
 
 const char* const partNames[] =
-    {"ghosts", "solid fraction", "flow", "force integral", "clumps", "write"};
+{
+    "mesh", "ghosts", "solid fraction", "flow", "force integral", "clumps",
+    "write"
+};
 
 }
 

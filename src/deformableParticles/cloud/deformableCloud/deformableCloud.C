@@ -25,6 +25,22 @@ Foam::vectorField Foam::deformableCloud::imposedSpins
 }
 
 
+void Foam::deformableCloud::prepareMeshChange()
+{
+    ghosts_.update(*this);
+    immersedBoundary_->setCloseness(ghosts_.images());
+    storeGlobalPositions();
+}
+
+
+void Foam::deformableCloud::meshChanged()
+{
+    immersedBoundary_->meshChanged();
+    walls_.clear();
+    wallClearance_ = 0;
+}
+
+
 void Foam::deformableCloud::immerse
 (
     const volScalarField& nu,

@@ -58,7 +58,8 @@ Foam::immersedBoundary::immersedBoundary
         mesh,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
-    closed_(false)
+    closed_(false),
+    meshChanged_(false)
 {
     setReaches();
 }
@@ -231,9 +232,10 @@ void Foam::immersedBoundary::update
 )
 {
     closed_ = closed;
-    if (mesh_.changing())
+    if (meshChanged_)
     {
         // The fields were mapped with the mesh: every cell may hold a rest
+        meshChanged_ = false;
         setReaches();
         solidFraction_ = dimensionedScalar(dimless, Zero);
         solidVelocity_ = dimensionedVector(dimVelocity, Zero);
@@ -287,6 +289,45 @@ void Foam::immersedBoundary::update
     }
 
     impose(images);
+}
+
+
+void Foam::immersedBoundary::setCloseness(const UList<clumpImage>& images)
+{
+    if (!closeness_.valid())
+    {
+        closeness_.reset
+        (
+            new volScalarField
+            (
+                IOobject("clumpCloseness", mesh_.time().timeName(), mesh_),
+                mesh_,
+                dimensionedScalar(dimless, Zero)
+            )
+        );
+    }
+
+    scalarField& closeness = closeness_->primitiveFieldRef();
+    closeness = 0;
+
+    for (const clumpImage& image : images)
+    {
+        const scalarField& radii = types_[image.typeId].radii();
+        const scalar r = min(radii);
+
+        treeBoundBox box(image.box);
+        box.min() -= r*vector::one;
+        box.max() += r*vector::one;
+
+        for (const label celli : mesh_.cellTree().findBox(box))
+        {
+            const scalar d = sphereUnion::distance
+            (
+                mesh_.cellCentres()[celli], image.x, radii
+            );
+            closeness[celli] = max(closeness[celli], 1 - d/r);
+        }
+    }
 }
 
 

@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "robin.H"
+#include "clumpState.H"
 #include "mathematicalConstants.H"
+#include <Eigen/Eigenvalues>
 
 namespace Foam
 {
@@ -37,5 +39,23 @@ void Foam::exchangeModels::robin::coefficients
     const scalarField inertia(rho*type.volumes()/dt);
 
     zeta = margin_*6*pi*mu*r + inertia;
-    zetaR = margin_*8*pi*mu*pow3(r) + 0.4*inertia*sqr(r);
+
+    const tensor I(clumpState(type).inertia(type));
+    Eigen::Matrix3d moments;
+    moments <<
+        I.xx(), I.xy(), I.xz(),
+        I.yx(), I.yy(), I.yz(),
+        I.zx(), I.zy(), I.zz();
+    const scalar least =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>
+        (
+            moments, Eigen::EigenvaluesOnly
+        ).eigenvalues()[0];
+    const scalar spins = sum(type.inertias());
+    const scalar resistance =
+        8*pi*mu*sum(pow3(r))
+      + 6*pi*mu*max(r)*r.size()*(least - spins)/type.mass();
+
+    zetaR =
+        margin_*resistance*sqr(spins/least)/r.size() + 0.4*inertia*sqr(r);
 }

@@ -114,8 +114,15 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<rotationModel>("immersedBoundary/rotationModels");
     run<exchangeModel>("immersedBoundary/exchangeModels");
 
-    const clumpType cell("cell", cellDict());
-    run<conservationModel>("conservationModels", cell.centres());
+    // Corners of a convex surface, which in their order enclose an area as well
+    pointField corners(10);
+    forAll(corners, i)
+    {
+        const scalar z = 0.9 - 0.2*i;
+        const scalar r = Foam::sqrt(1 - sqr(z));
+        corners[i] = 2e-6*point(r*Foam::cos(2.4*i), r*Foam::sin(2.4*i), z);
+    }
+    run<conservationModel>("conservationModels", corners);
 }
 
 

@@ -41,7 +41,8 @@ clumpType cell(const string& damping)
 }
 
 
-//- Every sphere its own velocity and spin
+//- Every sphere its own velocity and spin; the clump as a whole stays where it is, as
+//  in the solver, where positions are relative to the parcel
 void excite(const clumpType& type, clumpState& s, const scalar speed)
 {
     Random random(5);
@@ -52,6 +53,7 @@ void excite(const clumpType& type, clumpState& s, const scalar speed)
             speed/type.radii()[i]
            *random.globalPosition(-vector::one, vector::one);
     }
+    s.u -= s.velocity(type);
 }
 
 }
@@ -136,9 +138,9 @@ void Foam::motion(const label nSteps)
         );
 
         // The equilibrium under 100 pN, awaited: with a time constant of ten
-        // steps, but not below the time in which the cell swings
+        // steps, but near the critical damping of the slowest swing at least
         OStringStream damping;
-        damping << "type kelvinVoigt; timeConstant " << max(10*dt, 5e-5) << ';';
+        damping << "type kelvinVoigt; timeConstant " << max(10*dt, 1.5e-4) << ';';
         const clumpType quick(cell(damping.str()));
         const auto ext(equilibrium::stretch(quick, vector(1e-10, 0, 0)));
         clumpState still(quick), moving(quick);

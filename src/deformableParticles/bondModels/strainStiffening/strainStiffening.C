@@ -44,7 +44,7 @@ Foam::bondModel::axialResponse Foam::bondModels::strainStiffening::axial
         return bondModel::axial(a, length, Kn);
     }
 
-    // Gauss-Legendre with five points on [0, a]
+    // Gauss-Legendre with five points
     static const scalar node[5] =
     {
         0.046910077030668, 0.230765344947158, 0.5,
@@ -56,10 +56,17 @@ Foam::bondModel::axialResponse Foam::bondModels::strainStiffening::axial
         0.239314335249683, 0.118463442528095
     };
 
+    // In pieces of l_b, 2 l_b, 4 l_b, ... as the law bends over ever longer ways
     scalar energy = 0;
-    for (label g = 0; g < 5; ++g)
+    scalar low = 0;
+    while (low < a)
     {
-        energy += weight[g]*a*force(node[g]*a, length);
+        const scalar width = min(low + length, a - low);
+        for (label g = 0; g < 5; ++g)
+        {
+            energy += weight[g]*width*force(low + node[g]*width, length);
+        }
+        low += width;
     }
 
     const scalar growth = Foam::exp(b_*a/(length + a));

@@ -123,15 +123,19 @@ inline __attribute__((always_inline)) void bondForcesOf(layout& a)
         const double oneBy = 1/(1 + w);
         const double q0 = a.sum[0][b], qx = a.sum[1][b], qy = a.sum[2][b],
             qz = a.sum[3][b];
-        const double rxx = 1 - oneBy*(qy*qy + qz*qz);
-        const double rxy = oneBy*(qx*qy - q0*qz);
-        const double rxz = oneBy*(qx*qz + q0*qy);
-        const double ryx = oneBy*(qx*qy + q0*qz);
-        const double ryy = 1 - oneBy*(qx*qx + qz*qz);
-        const double ryz = oneBy*(qy*qz - q0*qx);
-        const double rzx = oneBy*(qx*qz - q0*qy);
-        const double rzy = oneBy*(qy*qz + q0*qx);
-        const double rzz = 1 - oneBy*(qx*qx + qy*qy);
+
+        // By their own length, not 2(1 + w): orthogonal to rounding, or angular
+        // momentum would drift with the rounding of the orientations
+        const double n2 = 2/(q0*q0 + qx*qx + qy*qy + qz*qz);
+        const double rxx = 1 - n2*(qy*qy + qz*qz);
+        const double rxy = n2*(qx*qy - q0*qz);
+        const double rxz = n2*(qx*qz + q0*qy);
+        const double ryx = n2*(qx*qy + q0*qz);
+        const double ryy = 1 - n2*(qx*qx + qz*qz);
+        const double ryz = n2*(qy*qz - q0*qx);
+        const double rzx = n2*(qx*qz - q0*qy);
+        const double rzy = n2*(qy*qz + q0*qx);
+        const double rzz = 1 - n2*(qx*qx + qy*qy);
 
         const double Dx = a.d[0][b], Dy = a.d[1][b], Dz = a.d[2][b];
         const double dx = rxx*Dx + ryx*Dy + rzx*Dz;

@@ -6,7 +6,7 @@ Application
     bondCost
 
 Description
-    What unattached rings of ten spheres cost, one core:
+    What unattached rings of ten spheres cost in processor time, one core:
 
         bondCost <rings> <explicit steps> <implicit steps>
 
@@ -20,7 +20,7 @@ Description
 #include "equilibrium.H"
 #include "IStringStream.H"
 #include "Random.H"
-#include "clockTime.H"
+#include "cpuTime.H"
 #include <cstdio>
 #include <cstdlib>
 
@@ -91,7 +91,7 @@ void explicitCost
 
     // The sub-steps of one fluid step
     const label nSub = 100;
-    clockTime timer;
+    cpuTime timer;
     for (label k = 0; k < steps/nSub; ++k)
     {
         for (clumpState& s : clumps)
@@ -102,7 +102,7 @@ void explicitCost
     std::printf
     (
         "%s,%.6g\n", name,
-        1e-6*(steps/nSub)*nSub*n*type.size()/timer.elapsedTime()
+        1e-6*(steps/nSub)*nSub*n*type.size()/timer.elapsedCpuTime()
     );
 }
 
@@ -117,7 +117,7 @@ void implicitCost(const scalar dt, const label n, const label steps)
     const auto ext(equilibrium::stretch(type, vector(5e-11, 0, 0)));
     List<clumpState> clumps(rings(type, n));
 
-    clockTime timer;
+    cpuTime timer;
     for (label k = 0; k < steps; ++k)
     {
         for (clumpState& s : clumps)
@@ -127,7 +127,7 @@ void implicitCost(const scalar dt, const label n, const label steps)
     }
     std::printf
     (
-        "implicit step %g s,%.6g\n", dt, 1e6*timer.elapsedTime()/(steps*n)
+        "implicit step %g s,%.6g\n", dt, 1e6*timer.elapsedCpuTime()/(steps*n)
     );
 }
 

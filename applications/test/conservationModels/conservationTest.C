@@ -1,0 +1,132 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCase.H"
+#include "enclosedArea.H"
+#include "mathematicalConstants.H"
+#include "enclosedVolume.H"
+#include "equilibrium.H"
+#include "bondForces.H"
+
+using namespace Foam;
+
+namespace
+{
+
+dictionary shellDict(const string& conservation)
+{
+    return dictOf
+    (
+        "shape { type shell; nSpheres 42; shellRadius 3e-6; sphereRadius 1e-6; }"
+        "density 1000; massModel union; motion free;"
+        "bondModel { type elastic; rigidities { normal 1e-10; tangential 3e-11;"
+        " bending 1e-23; torsional 1e-23; } }"
+        "dampingModel { type none; }" + conservation
+    );
+}
+
+}
+
+
+TEST_CASE("conservation: gradients, net force and torque", "[conservation][serial]")
+{
+    const clumpType ring("cell", cellDict());
+    const clumpType shell("shell", shellDict(""));
+    const bool area = GENERATE(true, false);
+    const clumpType& type = area ? ring : shell;
+
+    const autoPtr<conservationModel> model
+    (
+        selectModel<conservationModel>
+        (
+            dictOf
+            (
+                area
+              ? "type enclosedArea; areaModulus 1e-4;"
+              : "type enclosedVolume; volumeModulus 100;"
+            ),
+            type.centres()
+        )
+    );
+
+    Random random(6);
+    clumpState s(type);
+    disturb(type, s, 0.2, random);
+    vectorField grad(type.size()), unused(type.size());
+    CHECK(mag(model->deviation(type.centres(), unused)) < 1e-14*pow3(type.reach()));
+    model->deviation(s.x, grad);
+
+    vector torque(Zero);
+    forAll(grad, i)
+    {
+        torque += s.x[i] ^ grad[i];
+    }
+    CHECK(mag(sum(grad)) < 1e-13*sum(mag(grad)));
+    CHECK(mag(torque) < 1e-13*sum(mag(grad))*type.reach());
+
+    const scalar h = 1e-6*type.reach();
+    for (const label i : {0, 1, 7})
+    {
+        for (label c = 0; c < 3; ++c)
+        {
+            pointField plus(s.x), minus(s.x);
+            plus[i][c] += h;
+            minus[i][c] -= h;
+            const scalar slope =
+                (model->deviation(plus, unused) - model->deviation(minus, unused))
+               /(2*h);
+            CHECK(mag(slope - grad[i][c]) < 1e-6*max(mag(grad)));
+        }
+    }
+}
+
+
+TEST_CASE("conservation: the volume of a shell", "[conservation][serial]")
+{
+    const clumpType type
+    (
+        "shell",
+        shellDict("conservationModel { type enclosedVolume; volumeModulus 1000; }")
+    );
+    const conservationModels::enclosedVolume model
+    (
+        dictOf("volumeModulus 1;"), type.centres()
+    );
+
+    // 42 corners: 80 triangles inside the sphere, whose volume is V0 = k/stiffness
+    CHECK(model.triangles().size() == 80);
+    const scalar sphere = 4.0/3.0*constant::mathematical::pi*pow3(3e-6);
+    CHECK(1/model.stiffness() < sphere);
+    CHECK(1/model.stiffness() > 0.85*sphere);
+
+    // Pulled, a free shell gains or loses volume; a held one changes ten times less
+    const clumpType loose("shell", shellDict(""));
+    const vector pull(5e-11, 0, 0);
+    const auto change = [&](const clumpType& t)
+    {
+        clumpState s(t);
+        REQUIRE(equilibrium().find(t, equilibrium::stretch(t, pull), s));
+        vectorField grad(t.size());
+        return mag(model.deviation(s.x, grad))*model.stiffness();
+    };
+    CHECK(change(type) < 0.1*change(loose));
+
+    CHECK_THROWS
+    (
+        clumpType
+        (
+            "flat",
+            dictOf
+            (
+                "shape { type ring; nSpheres 10; ringRadius 1; sphereRadius 1; }"
+                "density 1; massModel union; motion free;"
+                "bondModel { type elastic; rigidities { normal 1; tangential 1;"
+                " bending 1; torsional 1; } } dampingModel { type none; }"
+                "conservationModel { type enclosedVolume; volumeModulus 1; }"
+            )
+        )
+    );
+}

@@ -117,7 +117,13 @@ void Foam::immersedBoundary::findCover
             nearRadii.clear();
             forAll(image.x, i)
             {
-                if (mag(x - image.x[i]) - type.radii()[i] < 2*reach)
+                // A sphere farther away is neither the nearest anywhere in the
+                // cell nor within half a cell of one of its points
+                if
+                (
+                    mag(x - image.x[i]) - type.radii()[i]
+                  < min(1.5*reach, d + 2*reach)
+                )
                 {
                     nearCentres.append(image.x[i]);
                     nearRadii.append(type.radii()[i]);

@@ -17,13 +17,22 @@ Foam::bondModel::bondModel(const dictionary& dict)
 :
     given_(dict.found("rigidities")),
     youngModulus_(given_ ? 1 : getPositive(dict, "youngModulus")),
-    shearModulus_(given_ ? 1 : getPositive(dict, "shearModulus"))
+    shearModulus_(given_ ? 1 : getPositive(dict, "shearModulus")),
+    normalStrength_(0),
+    shearStrength_(0)
 {
     if (given_ && (dict.found("youngModulus") || dict.found("multipliers")))
     {
         FatalIOErrorInFunction(dict)
             << "Give either rigidities or youngModulus, shearModulus and "
             << "multipliers" << exit(FatalIOError);
+    }
+
+    if (dict.found("breakage"))
+    {
+        const dictionary& strength = dict.subDict("breakage");
+        normalStrength_ = getPositive(strength, "normalStress");
+        shearStrength_ = getPositive(strength, "shearStress");
     }
 
     const dictionary& f = dict.subDict(given_ ? "rigidities" : "multipliers");
@@ -51,6 +60,26 @@ Foam::bondCoefficients Foam::bondModel::stiffness
         factors_.bending*youngModulus_*I/length,
         factors_.torsional*shearModulus_*J/length
     };
+}
+
+
+bool Foam::bondModel::breaks
+(
+    const vector& n,
+    const vector& m,
+    const vector& t,
+    const vector& e,
+    const scalar radius
+) const
+{
+    const scalar A = constant::mathematical::pi*sqr(radius);
+    const scalar I = A*sqr(radius)/4;
+    const scalar N = n & t;
+    const scalar torsion = m & e;
+
+    return
+        N/A + mag(m - torsion*e)*radius/I > normalStrength_
+     || mag(n - N*t)/A + mag(torsion)*radius/(2*I) > shearStrength_;
 }
 
 

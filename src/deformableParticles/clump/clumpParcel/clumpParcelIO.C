@@ -141,6 +141,11 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
     );
     readLists<scalar>
     (
+        c, "brokenBonds",
+        [](clumpParcel& p, const scalarField& f) { p.state_.broken = f; }
+    );
+    readLists<scalar>
+    (
         c, "orientations",
         [](clumpParcel& p, const scalarField& f)
         {
@@ -201,6 +206,11 @@ void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
     (
         c, "hydrodynamicTorques",
         [](const clumpParcel& p) { return p.fluidTorques_; }
+    );
+    writeLists<scalar>
+    (
+        c, "brokenBonds",
+        [](const clumpParcel& p) { return p.state_.broken; }
     );
     writeLists<scalar>
     (

@@ -132,7 +132,8 @@ void Foam::clumpType::setBonds
                 k,
                 0.5*(masses_[i] + masses_[j]),
                 0.5*(inertias_[i] + inertias_[j])
-            )
+            ),
+            0.5*(radii_[i] + radii_[j])
         };
     }
 }

@@ -347,6 +347,11 @@ Foam::scalar Foam::bondForces::explicitForces
 
     forAll(type_.bonds(), bi)
     {
+        if (broken(s, bi))
+        {
+            continue;
+        }
+
         const clumpType::bond& b = type_.bonds()[bi];
         const bondFrame frame(frameOf(b, s));
 
@@ -388,6 +393,11 @@ Foam::scalar Foam::bondForces::stepForces
 
     forAll(type_.bonds(), bi)
     {
+        if (broken(s, bi))
+        {
+            continue;
+        }
+
         const clumpType::bond& b = type_.bonds()[bi];
         const bondFrame frame(frameOf(b, s));
         const response r(respond(bi, frame, oneByDt));
@@ -426,11 +436,33 @@ Foam::scalar Foam::bondForces::stepForces
 
 void Foam::bondForces::store(clumpState& s) const
 {
-    forAll(s.n, bi)
+    if (s.n.empty() && s.broken.empty())
     {
-        const response r(respond(bi, frameOf(type_.bonds()[bi], s), 0));
-        s.n[bi] = r.n;
-        s.m[bi] = r.m;
+        return;
+    }
+
+    forAll(type_.bonds(), bi)
+    {
+        if (broken(s, bi))
+        {
+            continue;
+        }
+
+        const clumpType::bond& b = type_.bonds()[bi];
+        const response r(respond(bi, frameOf(b, s), 0));
+        const bool breaks =
+            s.broken.size()
+         && type_.elasticity().breaks(r.n, r.m, r.t, b.direction, b.radius);
+
+        if (breaks)
+        {
+            s.broken[bi] = 1;
+        }
+        if (s.n.size())
+        {
+            s.n[bi] = breaks ? vector::zero : r.n;
+            s.m[bi] = breaks ? vector::zero : r.m;
+        }
     }
 }
 
@@ -453,10 +485,15 @@ void Foam::bondForces::law
 
 Foam::scalarField Foam::bondForces::tension(const clumpState& s) const
 {
-    scalarField result(type_.bonds().size());
+    scalarField result(type_.bonds().size(), Zero);
 
     forAll(result, bi)
     {
+        if (broken(s, bi))
+        {
+            continue;
+        }
+
         const response r(respond(bi, frameOf(type_.bonds()[bi], s), 0));
         result[bi] =
             type_.incremental() ? r.n & r.t : r.axial;

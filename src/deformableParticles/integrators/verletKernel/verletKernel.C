@@ -147,12 +147,32 @@ void Foam::verletKernel::load
         a.exchanging = a.exchanging || max(ext.zeta[i], ext.zetaR[i]) > 0;
     }
 
+    // Broken bonds: no stiffness, no damping
+    forAll(s.broken, b)
+    {
+        if (s.broken[b] > 0)
+        {
+            for
+            (
+                double* c :
+                {a.kn, a.shear, a.kb, a.kt, a.cn, a.cs, a.cb, a.ct}
+            )
+            {
+                c[b] = 0;
+            }
+        }
+    }
+
     // What incremental bonds keep besides the law does not change over the steps
     if (type_.incremental())
     {
         const bondForces total(type_);
         forAll(s.n, b)
         {
+            if (s.broken.size() && s.broken[b] > 0)
+            {
+                continue;
+            }
             vector n, m;
             total.law(s, b, n, m);
             for (int c = 0; c < 3; ++c)
@@ -243,6 +263,10 @@ void Foam::verletKernel::store(clumpState& s) const
         const bondForces total(type_);
         forAll(s.n, b)
         {
+            if (s.broken.size() && s.broken[b] > 0)
+            {
+                continue;
+            }
             vector n, m;
             total.law(s, b, n, m);
             for (int c = 0; c < 3; ++c)
@@ -251,5 +275,10 @@ void Foam::verletKernel::store(clumpState& s) const
                 s.m[b][c] = m[c] + a.m0[c][b];
             }
         }
+    }
+
+    if (s.broken.size())
+    {
+        bondForces(type_, s).store(s);
     }
 }

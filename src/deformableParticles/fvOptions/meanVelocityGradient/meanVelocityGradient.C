@@ -102,8 +102,8 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
     dictionary solver;
     solver.add("solver", word("PCG"));
     solver.add("preconditioner", word("DIC"));
-    solver.add("tolerance", 1e-10);
-    solver.add("relTol", 1e-3);
+    solver.add("tolerance", 1e-14);
+    solver.add("relTol", 1e-12);
     equation.solve(solver);
 
     return gSum(w.primitiveField()*mesh_.V())/gSum(mesh_.V());

@@ -142,3 +142,64 @@ TEST_CASE("boundary: two clumps in a cell share it", "[boundary]")
      == Approx(1).epsilon(1e-12)
     );
 }
+
+
+TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
+{
+    // Two overlapping spheres of different radii
+    PtrList<clumpType> types(2);
+    clumpImage images[2];
+    forAll(types, a)
+    {
+        const scalar r = a ? 1.5e-6 : 2.5e-6;
+        dictionary dict(cellDict());
+        dict.set
+        (
+            "shape",
+            dictOf
+            (
+                "type chain; nSpheres 1; sphereRadius " + Foam::name(r) + ";"
+            )
+        );
+        types.set(a, new clumpType("sphere" + Foam::name(a), dict));
+
+        clumpImage& image = images[a];
+        image.typeId = a;
+        image.x = pointField(1, point(10e-6 + a*3.3e-6, 10e-6, 9.7e-6));
+        image.u = vectorField(1, vector(1e-3, a*1e-3, 0));
+        image.spin = vectorField(1, vector(0, 0, a*100));
+        image.box = boundBox
+        (
+            image.x[0] - r*vector::one, image.x[0] + r*vector::one
+        );
+    }
+
+    immersedBoundary boundary
+    (
+        testMesh(), types,
+        dictOf
+        (
+            "solidFraction { type subSampled; }"
+            "forcing { type cutCell; cutCoefficient 18;"
+            " curvatureCoefficient 2; fullCoefficient 1000; }"
+            "hydrodynamicForce { type momentumExchange; }"
+            "interiorDilation no;"
+        )
+    );
+    const volScalarField nu
+    (
+        IOobject("testNu", testTime().timeName(), testMesh()),
+        testMesh(), dimensionedScalar("nu", dimViscosity, 1.171e-6)
+    );
+
+    boundary.update(List<clumpImage>({images[0], images[1]}), nu, true);
+    const scalarField S(boundary.strength());
+    const vectorField us(boundary.solidVelocity());
+
+    boundary.update(List<clumpImage>({images[1], images[0]}), nu, true);
+    const scalarField dS(boundary.strength().primitiveField() - S);
+    const vectorField du(boundary.solidVelocity().primitiveField() - us);
+
+    CHECK(gMax(mag(dS)) < 1e-12*gMax(S));
+    CHECK(gMax(mag(du)) < 1e-12*gMax(mag(us)));
+}

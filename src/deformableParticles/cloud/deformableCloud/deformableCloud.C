@@ -444,7 +444,7 @@ void Foam::deformableCloud::writeObjects(objectRegistry& obr) const
     {
         typeIds[i] = p.typeId();
         U[i] = p.state().velocity(type(p));
-        position[i] = p.position();
+        position[i] = p.centre(type(p));
         ++i;
     }
 }

@@ -26,13 +26,15 @@ Foam::clumpParcel::clumpParcel
     state_(state),
     fluidForces_(state.x.size(), Zero),
     fluidTorques_(state.x.size(), Zero),
-    displacement_(Zero)
+    displacement_(Zero),
+    target_(position)
 {}
 
 
 void Foam::clumpParcel::recentre(const clumpType& type)
 {
     displacement_ = state_.centre(type);
+    target_ = position() + displacement_;
     state_.x -= displacement_;
 }
 
@@ -51,6 +53,11 @@ bool Foam::clumpParcel::move
     {
         const scalar f = 1 - stepFraction();
         trackToAndHitFace(f*displacement_, f, cloud, td);
+    }
+
+    if (td.keepParticle && !td.switchProcessor)
+    {
+        state_.x += target_ - position();
     }
 
     return td.keepParticle;

@@ -15,11 +15,13 @@ Foam::clumpParcel::clumpParcel
 :
     particle(mesh, is, readFields, newFormat),
     typeId_(-1),
-    displacement_(Zero)
+    displacement_(Zero),
+    target_(Zero)
 {
     if (readFields)
     {
-        is  >> typeId_ >> displacement_ >> state_ >> fluidForces_
+        is  >> typeId_ >> displacement_ >> target_ >> state_
+            >> fluidForces_
             >> fluidTorques_;
     }
     is.check(FUNCTION_NAME);
@@ -31,6 +33,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
     os  << static_cast<const particle&>(p)
         << token::SPACE << p.typeId_
         << token::SPACE << p.displacement_
+        << token::SPACE << p.target_
         << token::SPACE << p.state_
         << token::SPACE << p.fluidForces_
         << token::SPACE << p.fluidTorques_;

@@ -53,7 +53,7 @@ Foam::string Foam::functionObjects::clumpForce::row
     return columns
     (
         {
-            sum(p.fluidForces()), torque, p.position(),
+            sum(p.fluidForces()), torque, p.centre(type),
             p.state().velocity(type)
         }
     );

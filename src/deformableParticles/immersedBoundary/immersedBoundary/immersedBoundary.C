@@ -69,6 +69,7 @@ void Foam::immersedBoundary::setReaches()
 {
     cellReach_ = scalarField(mesh_.nCells(), Zero);
     sumLambda_ = scalarField(mesh_.nCells(), Zero);
+    sumRadius_ = scalarField(mesh_.nCells(), Zero);
 
     const labelListList& cellPoints = mesh_.cellPoints();
     forAll(cellReach_, celli)
@@ -212,6 +213,7 @@ void Foam::immersedBoundary::clearCovered()
             solidVelocity_[celli] = Zero;
             strength_[celli] = 0;
             sumLambda_[celli] = 0;
+            sumRadius_[celli] = 0;
         }
     }
 }
@@ -259,29 +261,26 @@ void Foam::immersedBoundary::update
         findCover(images[a], c);
         setWeights(images[a], c);
 
-        forAll(c.cells, k)
-        {
-            sumLambda_[c.cells[k]] += c.lambda[k];
-        }
-    }
-
-    const scalar dt = mesh_.time().deltaTValue();
-
-    forAll(images, a)
-    {
-        const cover& c = covers_[a];
         const scalarField& radii = types_[images[a].typeId].radii();
         const label n = radii.size();
 
         forAll(c.cells, k)
         {
             const label celli = c.cells[k];
-            scalar radius = 0;
+            sumLambda_[celli] += c.lambda[k];
             for (label i = 0; i < n; ++i)
             {
-                radius += c.weights[n*k + i]*radii[i];
+                sumRadius_[celli] += c.lambda[k]*c.weights[n*k + i]*radii[i];
             }
+        }
+    }
 
+    const scalar dt = mesh_.time().deltaTValue();
+
+    for (const cover& c : covers_)
+    {
+        for (const label celli : c.cells)
+        {
             solidFraction_[celli] = min(sumLambda_[celli], scalar(1));
             strength_[celli] = forcingModel_->strength
             (
@@ -289,7 +288,7 @@ void Foam::immersedBoundary::update
                 dt,
                 nu[celli],
                 Foam::cbrt(mesh_.V()[celli]),
-                radius
+                sumRadius_[celli]/sumLambda_[celli]
             );
         }
     }

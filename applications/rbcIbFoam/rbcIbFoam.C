@@ -55,7 +55,6 @@ int main(int argc, char* argv[])
     }
 
     #include "createPressureControl.H"
-    #include "createTimeControls.H"
     #include "createFields.H"
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
 
@@ -67,14 +66,15 @@ int main(int argc, char* argv[])
 
     while (runTime.run())
     {
-        #include "readTimeControls.H"
         #include "flowNumbers.H"
         #include "decideConvection.H"
-        #include "setDeltaT.H"
+        const scalar viscousLimit =
+            stepReport::viscousLimit(piso.consistent(), piso.nCorrPISO());
+        #include "limitTimeStep.H"
 
         ++runTime;
         report.beginStep(CoNum, viscousNum);
-        report.checkPressure(viscousNum, piso.consistent(), piso.nCorrPISO());
+        report.checkPressure(viscousNum, viscousLimit);
 
         if (mesh.dynamic())
         {

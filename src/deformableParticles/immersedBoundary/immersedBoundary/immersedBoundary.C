@@ -6,8 +6,6 @@
 #include "immersedBoundary.H"
 #include "sphereUnion.H"
 #include "fvmSup.H"
-#include "treeDataCell.H"
-#include "indexedOctree.H"
 #include "zeroGradientFvPatchFields.H"
 
 Foam::immersedBoundary::immersedBoundary
@@ -67,6 +65,7 @@ Foam::immersedBoundary::immersedBoundary
 
 void Foam::immersedBoundary::setReaches()
 {
+    cellWidth_ = Foam::cbrt(mesh_.V().field());
     cellReach_ = scalarField(mesh_.nCells(), Zero);
     sumLambda_ = scalarField(mesh_.nCells(), Zero);
     sumRadius_ = scalarField(mesh_.nCells(), Zero);
@@ -84,8 +83,28 @@ void Foam::immersedBoundary::setReaches()
         }
     }
 
-    // Every processor builds its tree together with the others
-    mesh_.cellTree();
+    largestReach_ = cellReach_.empty() ? 0 : max(cellReach_);
+
+    // Demand-driven, made by all processors together
+    mesh_.tetBasePtIs();
+
+    // Cells are found by their centres
+    const treeBoundBox box(mesh_.cellCentres());
+    tree_.reset
+    (
+        new indexedOctree<treeDataPoint>
+        (
+            treeDataPoint(mesh_.cellCentres()),
+            treeBoundBox
+            (
+                box.min() - 1e-4*mag(box.span())*vector::one,
+                box.max() + 1e-4*mag(box.span())*vector::one
+            ),
+            10,
+            10,
+            1
+        )
+    );
 }
 
 
@@ -100,10 +119,17 @@ void Foam::immersedBoundary::findCover
     DynamicList<point> nearCentres;
     DynamicList<scalar> nearRadii;
 
-    for (const label celli : mesh_.cellTree().findBox(treeBoundBox(image.box)))
+    const vector margin(largestReach_*vector::one);
+    const treeBoundBox box(image.box.min() - margin, image.box.max() + margin);
+
+    for (const label celli : tree_->findBox(box))
     {
         const point& x = mesh_.cellCentres()[celli];
         const scalar reach = cellReach_[celli];
+        if (magSqr(x - image.box.nearest(x)) > sqr(reach))
+        {
+            continue;
+        }
         const scalar d = sphereUnion::distance(x, image.x, type.radii());
 
         if (d > reach)
@@ -118,13 +144,8 @@ void Foam::immersedBoundary::findCover
             nearRadii.clear();
             forAll(image.x, i)
             {
-                // A sphere farther away is neither the nearest anywhere in the
-                // cell nor within half a cell of one of its points
-                if
-                (
-                    mag(x - image.x[i]) - type.radii()[i]
-                  < min(1.5*reach, d + 2*reach)
-                )
+                // The others do not reach into the cell
+                if (mag(x - image.x[i]) < type.radii()[i] + reach)
                 {
                     nearCentres.append(image.x[i]);
                     nearRadii.append(type.radii()[i]);
@@ -138,7 +159,7 @@ void Foam::immersedBoundary::findCover
 
         if (lambda > SMALL)
         {
-            const scalar dx = Foam::cbrt(mesh_.V()[celli]);
+            const scalar dx = cellWidth_[celli];
             if (smallest < 0.999*dx)
             {
                 FatalErrorInFunction
@@ -287,7 +308,7 @@ void Foam::immersedBoundary::update
                 solidFraction_[celli],
                 dt,
                 nu[celli],
-                Foam::cbrt(mesh_.V()[celli]),
+                cellWidth_[celli],
                 sumRadius_[celli]/sumLambda_[celli]
             );
         }
@@ -324,7 +345,7 @@ void Foam::immersedBoundary::setCloseness(const UList<clumpImage>& images)
         box.min() -= r*vector::one;
         box.max() += r*vector::one;
 
-        for (const label celli : mesh_.cellTree().findBox(box))
+        for (const label celli : tree_->findBox(box))
         {
             const scalar d = sphereUnion::distance
             (

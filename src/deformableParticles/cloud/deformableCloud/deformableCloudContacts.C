@@ -1,0 +1,113 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "deformableCloud.H"
+#include "sphereGrid.H"
+
+void Foam::deformableCloud::addContacts
+(
+    List<integrator::externals>& ext
+) const
+{
+    const effects::timer t(effects_, "contact");
+    const UList<clumpImage>& images = ghosts_.images();
+
+    sphereGrid::forEachContact
+    (
+        images, ghosts_.nOwn(), types_,
+        [&](const label a, const label i, const label b, const label j)
+        {
+            const clumpType& ta = types_[images[a].typeId];
+            const clumpType& tb = types_[images[b].typeId];
+            const vector d(images[a].x[i] - images[b].x[j]);
+            const scalar distance = mag(d);
+
+            // Coincident centres have no direction to part in
+            if (distance > SMALL*ta.radii()[i])
+            {
+                const vector n(d/distance);
+                ext[a].f[i] += n*contactModel_->force
+                (
+                    ta.radii()[i] + tb.radii()[j] - distance,
+                    (images[b].u[j] - images[a].u[i]) & n,
+                    ta.radii()[i],
+                    tb.radii()[j],
+                    ta.masses()[i],
+                    tb.masses()[j]
+                );
+            }
+        }
+    );
+}
+
+
+void Foam::deformableCloud::addWalls(List<integrator::externals>& ext) const
+{
+    const effects::timer t(effects_, "walls");
+
+    label index = 0;
+    for (const clumpParcel& parcel : *this)
+    {
+        const clumpType& ct = type(parcel);
+        const pointField centres(parcel.centres());
+
+        forAll(centres, i)
+        {
+            for (const auto& c : walls_->contacts(centres[i], ct.radii()[i]))
+            {
+                ext[index].f[i] += c.normal*wallContactModel_->force
+                (
+                    c.overlap,
+                    -(parcel.state().u[i] & c.normal),
+                    ct.radii()[i],
+                    ct.masses()[i]
+                );
+                ext[index].k[i] +=
+                    wallContactModel_->stiffness(c.overlap, ct.radii()[i])
+                   *sqr(c.normal);
+            }
+        }
+        ++index;
+    }
+}
+
+
+Foam::label Foam::deformableCloud::contactSubSteps
+(
+    const List<integrator::externals>& ext,
+    const scalar dt
+) const
+{
+    // Contacts between clumps are explicit: a sub-step h is stable while
+    // m/h^2 + zeta/h exceeds twice the stiffness
+    label nSub = 1;
+    const UList<clumpImage>& images = ghosts_.images();
+
+    sphereGrid::forEachContact
+    (
+        images, ghosts_.nOwn(), types_,
+        [&](const label a, const label i, const label b, const label j)
+        {
+            const clumpType& ta = types_[images[a].typeId];
+            const clumpType& tb = types_[images[b].typeId];
+            const scalar overlap =
+                ta.radii()[i] + tb.radii()[j]
+              - mag(images[a].x[i] - images[b].x[j]);
+
+            const scalar k =
+                4*contactModel_->stiffness
+                (
+                    overlap, ta.radii()[i], tb.radii()[j]
+                );
+            const scalar m = min(ta.masses()[i], tb.masses()[j]);
+            const scalar z = ext[a].zeta[i];
+            const scalar h = (z + Foam::sqrt(sqr(z) + 4*k*m))/(2*k);
+
+            nSub = max(nSub, label(min(std::ceil(dt/h), scalar(1000000))));
+        }
+    );
+
+    return returnReduce(nSub, maxOp<label>());
+}

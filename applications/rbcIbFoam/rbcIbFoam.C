@@ -30,6 +30,7 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "deformableCloud.H"
+#include "modelSelection.H"
 #include "stepReport.H"
 
 int main(int argc, char* argv[])

@@ -180,8 +180,7 @@ TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
         dictOf
         (
             "solidFraction { type tetClipping; }"
-            "forcing { type cutCell; cutCoefficient 18;"
-            " curvatureCoefficient 2; fullCoefficient 1000; }"
+            "forcing { type cutCell; }"
             "hydrodynamicForce { type momentumExchange; }"
             "interiorDilation no;"
         )

@@ -17,13 +17,7 @@ namespace forcingModels
 
 Foam::forcingModels::continuousForcing::continuousForcing(const dictionary& dict)
 :
-    maxDiffusion_
-    (
-        dict.getCheckOrDefault<scalar>
-        (
-            "maxDiffusion", GREAT, [](scalar x){ return x > 0; }
-        )
-    )
+    maxDiffusion_(getPositiveOrDefault(dict, "maxDiffusion", GREAT))
 {}
 
 

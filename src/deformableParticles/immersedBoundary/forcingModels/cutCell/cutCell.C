@@ -17,15 +17,15 @@ namespace forcingModels
 
 Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
 :
-    cut_(getPositive(dict, "cutCoefficient")),
+    cut_(getPositiveOrDefault(dict, "cutCoefficient", 23)),
     curvature_
     (
         dict.getCheckOrDefault<scalar>
         (
-            "curvatureCoefficient", 0, [](scalar x){ return x >= 0; }
+            "curvatureCoefficient", 4.2, [](scalar x){ return x >= 0; }
         )
     ),
-    full_(getPositive(dict, "fullCoefficient"))
+    full_(getPositiveOrDefault(dict, "fullCoefficient", 1000))
 {}
 
 
@@ -41,7 +41,7 @@ Foam::scalar Foam::forcingModels::cutCell::strength
     const scalar diffusion = nu/sqr(dx);
     const scalar full = max(1/dt, full_*diffusion);
 
-    const scalar cut = cut_*(1 + curvature_*dx/radius)*diffusion;
+    const scalar cut = cut_*(1 + curvature_*sqr(dx/radius))*diffusion;
 
     return lambda/(lambda/full + (1 - lambda)/cut);
 }

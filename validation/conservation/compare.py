@@ -1,0 +1,83 @@
+"""Third law, continuity, agreement of ranks and of the force integrals."""
+
+import re
+import sys
+sys.path.append("../shared")
+from results import Results, plt, read, save
+
+BOX = 20e-6
+
+
+def table(case, name):
+    with open(f"runs/{case}/postProcessing/{name}/0/{name}.dat") as file:
+        return [line.split() for line in file if not line.startswith("#")]
+
+
+def continuity(case):
+    """Mean continuity error of every step, the last of each."""
+    steps, error = [], 0
+    with open(f"runs/{case}/log.rbcIbFoam") as file:
+        for line in file:
+            if line.startswith("Continuity error"):
+                error = float(re.search(r"mean (\S+),", line).group(1))
+            if line.startswith("Step "):
+                steps.append(error)
+    return steps
+
+
+def clumps(case):
+    """Force and position of every clump and step."""
+    return [[float(c) for c in row[3:6] + row[9:12]] for row in table(case, "clumpForce")]
+
+
+results = Results()
+figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
+
+for ranks in "124":
+    balance = [float(row[-1]) for row in table(ranks, "momentumBalance")]
+    results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0, "1e-10",
+                "Newton: what the clumps gain the fluid loses")
+    left.semilogy(range(1, len(balance) + 1), balance, label=f"third law, {ranks} ranks")
+
+for case, name in ("none", "a force instead of cells"), ("1", "two cells"):
+    left.semilogy(range(1, len(continuity(case)) + 1), continuity(case), ls="--", label=f"continuity, {name}")
+results.add("continuity error, cells over no cells, medians",
+            sorted(continuity("1"))[len(continuity("1"))//2]/sorted(continuity("none"))[len(continuity("none"))//2],
+            "", 1, "100%", "same solvers, a force on one mesh cell instead of the cells")
+
+serial = clumps("1")
+size = max(abs(f) for row in serial for f in row[:3])
+moved = sum(abs(b[k] - a[k]) > BOX/2 for a, b in zip(serial, serial[2:]) for k in (3, 5))
+print(f"periodic boundaries crossed: {moved}")
+for ranks in "24":
+    other = clumps(ranks)
+    force = max(abs(a - b) for r, s in zip(serial, other) for a, b in zip(r[:3], s[:3]))/size
+
+    def apart(a, b):
+        d = abs(a - b)
+        return min(d, BOX - d)/BOX
+    position = max(apart(a, b) for r, s in zip(serial, other) for a, b in zip(r[3:], s[3:]))
+    assert len(serial) == len(other)
+    results.add(f"force on {ranks} ranks against one", force, "", 0, "1e-6", "the same run in serial")
+    results.add(f"position on {ranks} ranks against one", position, "", 0, "1e-6", "the same run in serial")
+
+data = read("data.csv")
+finest = max(r["D_dx"] for r in data)
+for integral, mark in ("momentumExchange", "o-"), ("stressDivergence", "s--"):
+    rows = [r for r in data if r["force"] == integral]
+    right.plot([r["D_dx"] for r in rows], [1e6*r["drag_N_s_m"] for r in rows], mark, label=integral)
+for resolution in sorted({r["D_dx"] for r in data}):
+    exchange, stress = ([r["drag_N_s_m"] for r in data if r["D_dx"] == resolution and r["force"] == f][0]
+                        for f in ("momentumExchange", "stressDivergence"))
+    print(f"Eq. 6 over momentum exchange, D/dx {resolution:g}: {stress/exchange:.4f}")
+    if resolution == finest:
+        results.add(f"Eq. 6 over momentum exchange, D/dx {resolution:g}", stress/exchange, "", 1,
+                    "3%" if resolution > 4 else "10%", "the other force integral")
+
+left.set_xlabel("step")
+left.legend(fontsize=8)
+right.set_xlabel("D/dx")
+right.set_ylabel("drag over velocity [pN s/um]")
+right.legend()
+save(figure, "conservation.png")
+results.write()

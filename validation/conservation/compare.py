@@ -9,14 +9,14 @@ BOX = 20e-6
 
 
 def table(case, name):
-    with open(f"runs/{case}/postProcessing/{name}/0/{name}.dat") as file:
+    with open(f"run/{case}/postProcessing/{name}/0/{name}.dat") as file:
         return [line.split() for line in file if not line.startswith("#")]
 
 
 def continuity(case):
     """Mean continuity error of every step, the last of each."""
     steps, error = [], 0
-    with open(f"runs/{case}/log.rbcIbFoam") as file:
+    with open(f"run/{case}/log.rbcIbFoam") as file:
         for line in file:
             if line.startswith("Continuity error"):
                 error = float(re.search(r"mean (\S+),", line).group(1))

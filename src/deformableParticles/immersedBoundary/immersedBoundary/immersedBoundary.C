@@ -66,20 +66,20 @@ Foam::immersedBoundary::immersedBoundary
 void Foam::immersedBoundary::setReaches()
 {
     cellWidth_ = Foam::cbrt(mesh_.V().field());
+    cellWidths_ = symmTensorField(mesh_.nCells(), Zero);
     cellReach_ = scalarField(mesh_.nCells(), Zero);
     sumLambda_ = scalarField(mesh_.nCells(), Zero);
     sumRadius_ = scalarField(mesh_.nCells(), Zero);
+    sumNormal_ = vectorField(mesh_.nCells(), Zero);
 
     const labelListList& cellPoints = mesh_.cellPoints();
     forAll(cellReach_, celli)
     {
         for (const label pointi : cellPoints[celli])
         {
-            cellReach_[celli] = max
-            (
-                cellReach_[celli],
-                mag(mesh_.points()[pointi] - mesh_.cellCentres()[celli])
-            );
+            const vector y(mesh_.points()[pointi] - mesh_.cellCentres()[celli]);
+            cellReach_[celli] = max(cellReach_[celli], mag(y));
+            cellWidths_[celli] += 4*sqr(y)/cellPoints[celli].size();
         }
     }
 
@@ -224,6 +224,16 @@ void Foam::immersedBoundary::setWeights
 }
 
 
+Foam::scalar Foam::immersedBoundary::widthAcross(const label celli) const
+{
+    const vector n(sumNormal_[celli]/sumLambda_[celli]);
+    return Foam::sqrt
+    (
+        (n & (cellWidths_[celli] & n)) + (1 - magSqr(n))*sqr(cellWidth_[celli])
+    );
+}
+
+
 void Foam::immersedBoundary::clearCovered()
 {
     for (const cover& c : covers_)
@@ -235,6 +245,7 @@ void Foam::immersedBoundary::clearCovered()
             strength_[celli] = 0;
             sumLambda_[celli] = 0;
             sumRadius_[celli] = 0;
+            sumNormal_[celli] = Zero;
         }
     }
 }
@@ -291,7 +302,10 @@ void Foam::immersedBoundary::update
             sumLambda_[celli] += c.lambda[k];
             for (label i = 0; i < n; ++i)
             {
-                sumRadius_[celli] += c.lambda[k]*c.weights[n*k + i]*radii[i];
+                const scalar share = c.lambda[k]*c.weights[n*k + i];
+                const vector y(mesh_.cellCentres()[celli] - images[a].x[i]);
+                sumRadius_[celli] += share*radii[i];
+                sumNormal_[celli] += share*y/max(mag(y), SMALL*radii[i]);
             }
         }
     }
@@ -308,7 +322,7 @@ void Foam::immersedBoundary::update
                 solidFraction_[celli],
                 dt,
                 nu[celli],
-                cellWidth_[celli],
+                widthAcross(celli),
                 sumRadius_[celli]/sumLambda_[celli]
             );
         }

@@ -75,7 +75,8 @@ for resolution in sorted({r["D_dx"] for r in data}):
                     "3%" if resolution > 4 else "10%", "the other force integral")
 
 left.set_xlabel("step")
-left.legend(fontsize=8)
+left.set_ylabel("relative error")
+left.legend(fontsize=8, loc="center right")
 right.set_xlabel("D/dx")
 right.set_ylabel("drag over velocity [pN s/um]")
 right.legend()

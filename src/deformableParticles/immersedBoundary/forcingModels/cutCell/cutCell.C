@@ -25,7 +25,7 @@ Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
             "curvatureCoefficient", 4.2, [](scalar x){ return x >= 0; }
         )
     ),
-    full_(getPositiveOrDefault(dict, "fullCoefficient", 1000))
+    full_(getPositiveOrDefault(dict, "fullCoefficient", 2000))
 {}
 
 
@@ -39,7 +39,7 @@ Foam::scalar Foam::forcingModels::cutCell::strength
 ) const
 {
     const scalar diffusion = nu/sqr(dx);
-    const scalar full = max(1/dt, full_*diffusion);
+    const scalar full = max(1/dt, full_*diffusion*dx/radius);
 
     const scalar cut = cut_*(1 + curvature_*sqr(dx/radius))*diffusion;
 

@@ -29,6 +29,6 @@ for dilation, style in ("yes", "o-"), ("no", "s--"):
     axes.semilogy([p[0] for p in line], [p[2] for p in line], "C1" + style, label=f"smallest, {name} interior")
 axes.set_xlabel("D/dx")
 axes.set_ylabel("eigenvalue / 6 pi mu r")
-axes.legend()
+axes.legend(loc=(0.35, 0.3))
 save(figure, "resistance.png")
 results.write()

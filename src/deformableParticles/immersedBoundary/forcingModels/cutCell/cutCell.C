@@ -22,10 +22,10 @@ Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
     (
         dict.getCheckOrDefault<scalar>
         (
-            "curvatureCoefficient", 4.2, [](scalar x){ return x >= 0; }
+            "curvatureCoefficient", 4.3, [](scalar x){ return x >= 0; }
         )
     ),
-    full_(getPositiveOrDefault(dict, "fullCoefficient", 2000))
+    full_(getPositiveOrDefault(dict, "fullCoefficient", 2400))
 {}
 
 

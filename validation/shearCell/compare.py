@@ -16,9 +16,8 @@ runs = read("data.csv")
 
 def history(run):
     """Time, longest and shortest diameter in the plane, thickness, rate."""
-    step = f"{run['deltaT_s']:.0e}".replace("e-0", "e-")
     return [(r["t_s"], max(r["L1_m"], r["L2_m"]), min(r["L1_m"], r["L2_m"]), r["L3_m"], -r["rate"])
-            for r in read(f"data-{run['D_dx']:g}-{step}-{run['shift_x']:g}.csv")]
+            for r in read(run["file"])]
 
 
 def turned(rows):
@@ -102,18 +101,22 @@ for run in everywhere:
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(14, 4.2))
 colours = {4: "C0", 5: "C1", 8: "C2", 10: "C3"}
 styles = {1e-5: "-", 1e-4: "--", 1e-3: ":"}
-for run in free:
+for run in sorted(everywhere, key=lambda r: (r["D_dx"], r["shift_x"], r["deltaT_s"])):
     rows = [r for r in history(run) if r[0] <= 0.1 + 1e-9]
-    style = dict(ls=styles[run["deltaT_s"]], color=colours[run["D_dx"]], lw=1.2)
-    label = f"D/dx {run['D_dx']:g}, step {run['deltaT_s']:g} s"
-    left.plot([1e3*r[0] for r in rows], [r[4] for r in rows], label=label, **style)
-    for column in 1, 2:
-        middle.plot([1e3*r[0] for r in rows], [1e6*r[column] for r in rows], **style)
+    times = [1e3*r[0] for r in rows]
+    style = {"ls": styles[run["deltaT_s"]], "color": colours[run["D_dx"]], "lw": 0.8 if run["shift_x"] else 1.4}
+    label = f"{run['D_dx']:g}, {run['deltaT_s']:.0e} s" + (", half a cell aside" if run["shift_x"] else "")
+    left.plot(times, [r[4] for r in rows], label=label, **style)
+    if run["D_dx"] == 4 and not run["shift_x"]:
+        for column in 1, 2:
+            middle.plot(times, [1e6*r[column] for r in rows], label=label if column == 1 else None, **style)
 for axes, label in (left, "rotation [1/s]"), (middle, "longest and shortest diameter [um]"):
     axes.set_xlabel("time [ms]")
     axes.set_ylabel(label)
-left.set_ylim(80, 110)
-left.legend(fontsize=7, ncol=2)
+left.set_ylim(85, 113)
+middle.set_ylim(7.4, 8.2)
+for axes in left, middle:
+    axes.legend(title="D/dx, step", title_fontsize=7, fontsize=7, ncol=2, loc="upper right")
 for central, style, label in (False, "C0o", "other places"), (True, "C3s", "middle of the box, as on the left"):
     some = [r for r in stiff if (r["shift_x"] == r["shift_y"] == 0) == central]
     right.plot([r["D_dx"] for r in some], [-r["rate"] for r in some], style, ms=5, mfc="none", label=label)

@@ -63,7 +63,7 @@ for run in read("data.csv"):
 
 left.errorbar([r["mean_shear_rate"] for r in reference], [r["mean_f_over_g"] for r in reference],
               [r["sd"] for r in reference], fmt="ko", mfc="none", capsize=3, label="red blood cells, Fischer")
-left.plot(*zip(*points), "C0s-", label="ring of ten spheres")
+left.plot(*zip(*sorted(points)), "C0s-", label="ring of ten spheres")
 left.axhline(1/(4*math.pi), color="C7", ls=":", label="rigid disc, $1/4\\pi$")
 left.set_xscale("log")
 left.set_ylim(0, 0.09)

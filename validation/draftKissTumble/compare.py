@@ -37,12 +37,13 @@ for number, resolution in enumerate(runs):
     before = rows[max(rows.index(kiss) - 1, 0)]
     after = rows[rows.index(kiss):]
     values = {
-        "t_kiss": (kiss[0], KISS, "5%"),
-        "velocity of the trailer at contact": (before[4], dns["v_trailer just before contact"], "5%"),
+        "t_kiss": (kiss[0], KISS, "5%" if resolution >= 8 else "10%"),
+        "velocity of the trailer at contact": (before[4], dns["v_trailer just before contact"],
+                                               "5%" if resolution >= 8 else None),
     }
-    for t in 25, 28:
-        values[f"tilt at t = {t}"] = first(rows, lambda r: r[0] >= t - 1e-9)[2], \
-            dns[f"tilt at t={t}" + (" (frictionless)" if t == 25 else "")], None
+    for t, key in (25, "tilt at t=25 (frictionless)"), (28, "tilt at t=28"):
+        row = first(rows, lambda r: r[0] >= t - 1e-9)
+        values[f"tilt at t = {t}"] = row[2] if row else float("nan"), dns[key], None
     for name, key, condition in (("separation at 1.02 d", "separation onset (1.02 d)", lambda r: r[1] > 1.02),
                                  ("pair horizontal", "pair horizontal (90 deg)", lambda r: r[2] >= 90)):
         event = first(after, condition)

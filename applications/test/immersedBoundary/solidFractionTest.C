@@ -83,7 +83,10 @@ TEST_CASE("solid fraction: a cut cell against random points", "[fraction]")
     const point C(mesh.C()[celli]);
     const scalar dx = Foam::cbrt(mesh.V()[celli]);
     const scalar r = 2*dx;
-    const boundBox box(mesh.cells()[celli].points(mesh.faces(), mesh.points()));
+    const boundBox box
+    (
+        mesh.cells()[celli].points(mesh.faces(), mesh.points()), false
+    );
 
     Random random(3);
     scalar sumSqr = 0;

@@ -276,7 +276,6 @@ void Foam::immersedBoundary::update
     {
         // The fields were mapped with the mesh: every cell may hold a rest
         meshChanged_ = false;
-        setReaches();
         solidFraction_ = dimensionedScalar(dimless, Zero);
         solidVelocity_ = dimensionedVector(dimVelocity, Zero);
         strength_ = dimensionedScalar(dimless/dimTime, Zero);
@@ -329,6 +328,14 @@ void Foam::immersedBoundary::update
     }
 
     impose(images);
+}
+
+
+void Foam::immersedBoundary::meshChanged()
+{
+    // At once: the tree refers to the cell centres, which are others now
+    meshChanged_ = true;
+    setReaches();
 }
 
 

@@ -5,7 +5,7 @@ the period is T = 2 pi (r + 1/r)/gamma."""
 import math
 import sys
 sys.path.append("../shared")
-from results import Results, plt, read, save
+from results import Results, half_turn, plt, read, save
 
 shear = 200
 ratio = 2
@@ -21,14 +21,6 @@ def turned(rows):
     return result
 
 
-def crossing(times, values, level):
-    for i in range(1, len(times)):
-        if values[i - 1] < level <= values[i]:
-            part = (level - values[i - 1])/(values[i] - values[i - 1])
-            return times[i - 1] + (times[i] - times[i - 1])*part
-    raise SystemExit(f"the axis turned by {values[-1]:.2f} only: no half period within the run")
-
-
 results = Results()
 figure, axes = plt.subplots()
 phases = [i*math.pi/200 for i in range(1, 300)]
@@ -41,11 +33,7 @@ for run in read("data.csv"):
     name = f"D/dx {run['D_dx']:g}, height {run['height_over_a']:g} a, dt {run['deltaT_s']:g} s"
     rows = read(run["file"])
     times, angles = [r["t_s"] for r in rows], turned(rows)
-
-    # Half a turn from 10 degrees on, past the start from rest
-    first = math.radians(10)
-    half = crossing(times, angles, first + math.pi) - crossing(times, angles, first)
-    results.add(f"period x shear rate, {name}", 2*half*shear, "-",
+    results.add(f"period x shear rate, {name}", 2*half_turn(times, angles)*shear, "-",
                 2*math.pi*(ratio + 1/ratio), "5%" if run["D_dx"] < 6 else "3%", "Jeffery 1922")
     axes.plot([t*shear for t in times], [math.degrees(a) for a in angles], "--", label=name)
 

@@ -45,6 +45,18 @@ def deviation(values):
     return math.sqrt(sum((v - m)**2 for v in values)/max(len(values) - 1, 1))
 
 
+def half_turn(times, angles):
+    """Time of half a turn from 10 degrees on, past the start from rest."""
+    def crossing(level):
+        for i in range(1, len(times)):
+            if angles[i - 1] < level <= angles[i]:
+                part = (level - angles[i - 1])/(angles[i] - angles[i - 1])
+                return times[i - 1] + (times[i] - times[i - 1])*part
+        raise SystemExit(f"the axis turned by {angles[-1]:.2f} only: no half period within the run")
+    first = math.radians(10)
+    return crossing(first + math.pi) - crossing(first)
+
+
 class Results:
     """Collects the lines of results.csv. Tolerance: a number, or relative as '3%'."""
 

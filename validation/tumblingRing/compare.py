@@ -4,7 +4,7 @@ its effective aspect ratio r (Bretherton 1962), period T = 2 pi (r + 1/r)/gamma.
 import math
 import sys
 sys.path.append("../shared")
-from results import Results, plt, read, save
+from results import Results, half_turn, plt, read, save
 
 shear = 200
 ring = "ring 10 spheres r=1.955;R=1.955"
@@ -21,14 +21,6 @@ def turned(rows):
     return result
 
 
-def crossing(times, values, level):
-    for i in range(1, len(times)):
-        if values[i - 1] < level <= values[i]:
-            part = (level - values[i - 1])/(values[i] - values[i - 1])
-            return times[i - 1] + (times[i] - times[i - 1])*part
-    raise SystemExit(f"the axis turned by {values[-1]:.2f} only: no half period within the run")
-
-
 results = Results()
 figure, axes = plt.subplots()
 angles = [i*math.pi/200 for i in range(300)]
@@ -40,11 +32,7 @@ for run in read("data.csv"):
     name = f"D/dx {run['D_dx']:g}, height {run['height_over_a']:g} a, dt {run['deltaT_s']:g} s"
     rows = read(run["file"])
     times, angles = [r["t_s"] for r in rows], turned(rows)
-
-    # Half a turn from 10 degrees on, past the start from rest
-    first = math.radians(10)
-    half = crossing(times, angles, first + math.pi) - crossing(times, angles, first)
-    results.add(f"period x shear rate, {name}", 2*half*shear, "-",
+    results.add(f"period x shear rate, {name}", 2*half_turn(times, angles)*shear, "-",
                 2*math.pi*(ratio + 1/ratio), "5%", "Jeffery 1922, reference/effectiveAspectRatio.csv")
     axes.plot([math.degrees(a) for a in angles], [-r["rate"]/shear for r in rows], "--", label=name)
 

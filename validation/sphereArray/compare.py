@@ -15,7 +15,7 @@ for r in read("data.csv"):
 limits = {4: (3, 4), 8: (2, 2), 16: (1, 1)}
 results = Results()
 for (fraction, forcing, phi, resolution), rows in groups.items():
-    if (fraction, forcing) == ("tetClipping", "cutCell"):
+    if (fraction, forcing) == ("tetClipping", "sharp"):
         errors = [100*(r["K"]/K0[phi] - 1) for r in rows]
         ofMean, ofDeviation = limits[resolution]
         name = f"phi {phi:g} D/dx {resolution:g}"
@@ -29,7 +29,7 @@ for (fraction, forcing, phi, resolution), rows in groups.items():
           f"{mean(errors):8.1f} +- {deviation(errors):4.1f}   {mean([r['seconds'] for r in rows]):6.2f} s")
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4))
-models = sorted({k[:2] for k in groups}, key=lambda m: m != ("tetClipping", "cutCell"))
+models = sorted({k[:2] for k in groups}, key=lambda m: m != ("tetClipping", "sharp"))
 
 
 def draw(axes, model, phi, **style):
@@ -41,7 +41,7 @@ def draw(axes, model, phi, **style):
 
 
 for phi in sorted({k[2] for k in groups}):
-    draw(left, ("tetClipping", "cutCell"), phi, label=f"volume fraction {phi:g}")
+    draw(left, ("tetClipping", "sharp"), phi, label=f"volume fraction {phi:g}")
 for model in models:
     draw(right, model, 0.064, label=" + ".join(model), lw=2 if model == models[0] else 1)
 for axes in left, right:

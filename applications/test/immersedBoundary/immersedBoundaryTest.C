@@ -37,7 +37,7 @@ TEST_CASE("boundary: a rigid motion is imposed to round-off", "[boundary]")
 
     forAll(mesh.C(), celli)
     {
-        if (t.boundary().solidFraction()[celli] > 0)
+        if (t.boundary().strength()[celli] > 0)
         {
             vector r(mesh.C()[celli] - centre);
             r.x() -= span.x()*std::round(r.x()/span.x());
@@ -63,10 +63,11 @@ TEST_CASE("boundary: a rigid motion is imposed to round-off", "[boundary]")
 TEST_CASE("boundary: third law, and forces the transpose of velocities", "[boundary][adjoint]")
 {
     const word rotation = GENERATE(word("none"), word("perSphere"), word("clump"));
+    const word forcing = GENERATE(word("sharp"), word("cutCell"));
     testCloud t
     (
         point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), vector(30, 20, 10),
-        rotation
+        rotation, true, forcing
     );
     t.deform(0.1);
 
@@ -146,6 +147,8 @@ TEST_CASE("boundary: two clumps in a cell share it", "[boundary]")
 
 TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
 {
+    const word forcing = GENERATE(word("sharp"), word("cutCell"));
+
     // Two overlapping spheres of different radii
     PtrList<clumpType> types(2);
     clumpImage images[2];
@@ -180,7 +183,7 @@ TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
         dictOf
         (
             "solidFraction { type tetClipping; }"
-            "forcing { type cutCell; }"
+            "forcing { type " + forcing + "; }"
             "hydrodynamicForce { type momentumExchange; }"
             "interiorDilation no;"
         )
@@ -201,4 +204,58 @@ TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
 
     CHECK(gMax(mag(dS)) < 1e-12*gMax(S));
     CHECK(gMax(mag(du)) < 1e-12*gMax(mag(us)));
+}
+
+
+TEST_CASE("boundary: flux of the sharp forcing to a wall on the way to a neighbour", "[boundary][serial]")
+{
+    const scalar part = GENERATE(0.03, 0.4, 0.97);
+    const scalar radius = 3e-6;
+    const scalar nu = 1.171e-6;
+    const fvMesh& mesh = testMesh();
+
+    // A sphere whose surface cuts the line along x at a part of it
+    const label celli = mesh.findCell(point(10.1e-6, 10.1e-6, 10.1e-6));
+    const scalar dx = Foam::cbrt(mesh.V()[celli]);
+    const point& x = mesh.C()[celli];
+
+    dictionary dict(cellDict());
+    dict.set("shape", dictOf("type chain; nSpheres 1; sphereRadius 3e-6;"));
+    PtrList<clumpType> types(1);
+    types.set(0, new clumpType("sphere", dict));
+
+    clumpImage image;
+    image.typeId = 0;
+    image.x = pointField(1, x - vector(radius + part*dx, 0, 0));
+    image.u = vectorField(1, Zero);
+    image.spin = vectorField(1, Zero);
+    image.box = boundBox
+    (
+        image.x[0] - radius*vector::one, image.x[0] + radius*vector::one
+    );
+
+    immersedBoundary boundary
+    (
+        mesh, types,
+        dictOf
+        (
+            "solidFraction { type tetClipping; }"
+            "forcing { type sharp; displacement 0; }"
+            "hydrodynamicForce { type momentumExchange; }"
+            "interiorDilation no;"
+        )
+    );
+    const volScalarField viscosity
+    (
+        IOobject("testNu", testTime().timeName(), mesh),
+        mesh, dimensionedScalar("nu", dimViscosity, nu)
+    );
+    boundary.update(List<clumpImage>({image}), viscosity, true);
+
+    // With the flux the mesh has already: nu/(part dx) over the cell's width
+    CHECK
+    (
+        boundary.strength()[celli] + nu/sqr(dx)
+     == Approx(nu/(part*sqr(dx))).epsilon(1e-9)
+    );
 }

@@ -56,55 +56,21 @@ Foam::immersedBoundary::immersedBoundary
         mesh,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
+    geometry_(mesh),
     closed_(false),
     meshChanged_(false)
 {
-    setReaches();
+    allocate();
 }
 
 
-void Foam::immersedBoundary::setReaches()
+void Foam::immersedBoundary::allocate()
 {
-    cellWidth_ = Foam::cbrt(mesh_.V().field());
-    cellWidths_ = symmTensorField(mesh_.nCells(), Zero);
-    cellReach_ = scalarField(mesh_.nCells(), Zero);
-    sumLambda_ = scalarField(mesh_.nCells(), Zero);
-    sumRadius_ = scalarField(mesh_.nCells(), Zero);
-    sumNormal_ = vectorField(mesh_.nCells(), Zero);
-
-    const labelListList& cellPoints = mesh_.cellPoints();
-    forAll(cellReach_, celli)
-    {
-        for (const label pointi : cellPoints[celli])
-        {
-            const vector y(mesh_.points()[pointi] - mesh_.cellCentres()[celli]);
-            cellReach_[celli] = max(cellReach_[celli], mag(y));
-            cellWidths_[celli] += 4*sqr(y)/cellPoints[celli].size();
-        }
-    }
-
-    largestReach_ = cellReach_.empty() ? 0 : max(cellReach_);
-
-    // Demand-driven, made by all processors together
-    mesh_.tetBasePtIs();
-
-    // Cells are found by their centres
-    const treeBoundBox box(mesh_.cellCentres());
-    tree_.reset
-    (
-        new indexedOctree<treeDataPoint>
-        (
-            treeDataPoint(mesh_.cellCentres()),
-            treeBoundBox
-            (
-                box.min() - 1e-4*mag(box.span())*vector::one,
-                box.max() + 1e-4*mag(box.span())*vector::one
-            ),
-            10,
-            10,
-            1
-        )
-    );
+    const label n = mesh_.nCells();
+    sumLambda_ = scalarField(n, Zero);
+    sumShare_ = scalarField(n, Zero);
+    sumRadius_ = scalarField(n, Zero);
+    sumNormal_ = vectorField(n, Zero);
 }
 
 
@@ -115,40 +81,41 @@ void Foam::immersedBoundary::findCover
 ) const
 {
     const clumpType& type = types_[image.typeId];
-    const scalar smallest = min(type.radii());
+    const scalarField& radii = type.radii();
+    const scalar smallest = min(radii);
+    const bool usesDistance = forcingModel_->usesDistance();
+    const scalar nReaches = usesDistance ? 2 : 1;
     DynamicList<point> nearCentres;
     DynamicList<scalar> nearRadii;
+    scalarField seenRadii(radii);
 
-    const vector margin(largestReach_*vector::one);
-    const treeBoundBox box(image.box.min() - margin, image.box.max() + margin);
-
-    for (const label celli : tree_->findBox(box))
+    for (const label celli : geometry_.find(image.box, nReaches))
     {
         const point& x = mesh_.cellCentres()[celli];
-        const scalar reach = cellReach_[celli];
-        if (magSqr(x - image.box.nearest(x)) > sqr(reach))
+        const scalar reach = geometry_.reach(celli);
+        if (magSqr(x - image.box.nearest(x)) > sqr(nReaches*reach))
         {
             continue;
         }
-        const scalar d = sphereUnion::distance(x, image.x, type.radii());
+        const scalar d = sphereUnion::distance(x, image.x, radii);
 
-        if (d > reach)
+        if (d > nReaches*reach)
         {
             continue;
         }
 
-        scalar lambda = 1;
-        if (d > -reach)
+        scalar lambda = d > reach ? 0 : 1;
+        if (mag(d) < reach)
         {
             nearCentres.clear();
             nearRadii.clear();
             forAll(image.x, i)
             {
                 // The others do not reach into the cell
-                if (mag(x - image.x[i]) < type.radii()[i] + reach)
+                if (mag(x - image.x[i]) < radii[i] + reach)
                 {
                     nearCentres.append(image.x[i]);
-                    nearRadii.append(type.radii()[i]);
+                    nearRadii.append(radii[i]);
                 }
             }
             lambda = solidFractionModel_->fraction
@@ -157,9 +124,28 @@ void Foam::immersedBoundary::findCover
             );
         }
 
-        if (lambda > SMALL)
+        const scalar dx = geometry_.width(celli);
+        scalar seen = d, conductance = 0;
+        if (usesDistance)
         {
-            const scalar dx = cellWidth_[celli];
+            forAll(radii, i)
+            {
+                seenRadii[i] =
+                    radii[i] + forcingModel_->displacement(dx, radii[i]);
+            }
+            const auto distance = [&](const point& y)
+            {
+                return sphereUnion::distance(y, image.x, seenRadii);
+            };
+            seen = distance(x);
+            if (seen > 0)
+            {
+                conductance = geometry_.wallConductance(celli, distance);
+            }
+        }
+
+        if (lambda > SMALL || conductance > 0 || seen < 0)
+        {
             if (smallest < 0.999*dx)
             {
                 FatalErrorInFunction
@@ -171,8 +157,11 @@ void Foam::immersedBoundary::findCover
             }
             c.cells.append(celli);
             c.lambda.append(lambda);
+            c.distance.append(seen);
+            c.wallConductance.append(conductance);
         }
     }
+    c.share = c.lambda;
 }
 
 
@@ -224,13 +213,15 @@ void Foam::immersedBoundary::setWeights
 }
 
 
-Foam::scalar Foam::immersedBoundary::widthAcross(const label celli) const
+Foam::scalar Foam::immersedBoundary::solidPart
+(
+    const cover& c,
+    const label k
+) const
 {
-    const vector n(sumNormal_[celli]/sumLambda_[celli]);
-    return Foam::sqrt
-    (
-        (n & (cellWidths_[celli] & n)) + (1 - magSqr(n))*sqr(cellWidth_[celli])
-    );
+    const label celli = c.cells[k];
+    return
+        solidFraction_[celli]*c.lambda[k]/max(sumLambda_[celli], VSMALL);
 }
 
 
@@ -244,6 +235,7 @@ void Foam::immersedBoundary::clearCovered()
             solidVelocity_[celli] = Zero;
             strength_[celli] = 0;
             sumLambda_[celli] = 0;
+            sumShare_[celli] = 0;
             sumRadius_[celli] = 0;
             sumNormal_[celli] = Zero;
         }
@@ -260,6 +252,77 @@ void Foam::immersedBoundary::checkResolution
     {
         cover c;
         findCover(image, c);
+    }
+}
+
+
+void Foam::immersedBoundary::addFractions
+(
+    const clumpImage& image,
+    const cover& c
+)
+{
+    const scalarField& radii = types_[image.typeId].radii();
+    const label n = radii.size();
+
+    forAll(c.cells, k)
+    {
+        const label celli = c.cells[k];
+        sumLambda_[celli] += c.lambda[k];
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar part = c.lambda[k]*c.weights[n*k + i];
+            const vector y(mesh_.cellCentres()[celli] - image.x[i]);
+            sumRadius_[celli] += part*radii[i];
+            sumNormal_[celli] += part*y/max(mag(y), SMALL*radii[i]);
+        }
+        solidFraction_[celli] = min(sumLambda_[celli], scalar(1));
+    }
+}
+
+
+void Foam::immersedBoundary::setStrengths
+(
+    const UList<clumpImage>& images,
+    const volScalarField& nu
+)
+{
+    const bool usesDistance = forcingModel_->usesDistance();
+    const scalar dt = mesh_.time().deltaTValue();
+
+    forAll(images, a)
+    {
+        cover& c = covers_[a];
+        const scalarField& radii = types_[images[a].typeId].radii();
+        const label n = radii.size();
+
+        forAll(c.cells, k)
+        {
+            const label celli = c.cells[k];
+            forcingModel::cell cell
+            {
+                solidFraction_[celli], dt, nu[celli], geometry_.width(celli),
+                0, c.distance[k], c.wallConductance[k]
+            };
+
+            if (usesDistance)
+            {
+                for (label i = 0; i < n; ++i)
+                {
+                    cell.radius += c.weights[n*k + i]*radii[i];
+                }
+                c.share[k] = forcingModel_->strength(cell);
+                strength_[celli] += c.share[k];
+            }
+            else
+            {
+                const scalar sum = sumLambda_[celli];
+                cell.radius = sumRadius_[celli]/sum;
+                cell.dx = geometry_.widthAlong(celli, sumNormal_[celli]/sum);
+                strength_[celli] = forcingModel_->strength(cell);
+            }
+            sumShare_[celli] += c.share[k];
+        }
     }
 }
 
@@ -292,41 +355,9 @@ void Foam::immersedBoundary::update
         findCover(images[a], c);
         setWeights(images[a], c);
 
-        const scalarField& radii = types_[images[a].typeId].radii();
-        const label n = radii.size();
-
-        forAll(c.cells, k)
-        {
-            const label celli = c.cells[k];
-            sumLambda_[celli] += c.lambda[k];
-            for (label i = 0; i < n; ++i)
-            {
-                const scalar share = c.lambda[k]*c.weights[n*k + i];
-                const vector y(mesh_.cellCentres()[celli] - images[a].x[i]);
-                sumRadius_[celli] += share*radii[i];
-                sumNormal_[celli] += share*y/max(mag(y), SMALL*radii[i]);
-            }
-        }
+        addFractions(images[a], c);
     }
-
-    const scalar dt = mesh_.time().deltaTValue();
-
-    for (const cover& c : covers_)
-    {
-        for (const label celli : c.cells)
-        {
-            solidFraction_[celli] = min(sumLambda_[celli], scalar(1));
-            strength_[celli] = forcingModel_->strength
-            (
-                solidFraction_[celli],
-                dt,
-                nu[celli],
-                widthAcross(celli),
-                sumRadius_[celli]/sumLambda_[celli]
-            );
-        }
-    }
-
+    setStrengths(images, nu);
     impose(images);
 }
 
@@ -335,7 +366,8 @@ void Foam::immersedBoundary::meshChanged()
 {
     // At once: the tree refers to the cell centres, which are others now
     meshChanged_ = true;
-    setReaches();
+    geometry_.update();
+    allocate();
 }
 
 
@@ -362,11 +394,11 @@ void Foam::immersedBoundary::setCloseness(const UList<clumpImage>& images)
         const scalarField& radii = types_[image.typeId].radii();
         const scalar r = min(radii);
 
-        treeBoundBox box(image.box);
+        boundBox box(image.box);
         box.min() -= r*vector::one;
         box.max() += r*vector::one;
 
-        for (const label celli : tree_->findBox(box))
+        for (const label celli : geometry_.find(box, 0))
         {
             const scalar d = sphereUnion::distance
             (
@@ -402,7 +434,8 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
         {
             const label celli = c.cells[k];
             const point& x = mesh_.cellCentres()[celli];
-            const scalar share = c.lambda[k]/sumLambda_[celli];
+            const scalar share = c.share[k]/max(sumShare_[celli], VSMALL);
+            const scalar part = solidPart(c, k);
 
             for (label i = 0; i < n; ++i)
             {
@@ -411,9 +444,7 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
 
                 if (dilates_)
                 {
-                    dilation_[celli] +=
-                        solidFraction_[celli]*share
-                       *(c.gradWeights[n*k + i] & u);
+                    dilation_[celli] += part*(c.gradWeights[n*k + i] & u);
                 }
             }
         }
@@ -469,12 +500,12 @@ void Foam::immersedBoundary::integrate
         {
             const label celli = c.cells[k];
             const point& x = mesh_.cellCentres()[celli];
-            const scalar share = c.lambda[k]/sumLambda_[celli];
+            const scalar share = c.share[k]/max(sumShare_[celli], VSMALL);
             const scalar V = mesh_.V()[celli];
             const vector F(V*share*(*forceModel_)(flow, celli));
             const scalar P =
                 dilates_
-              ? V*share*solidFraction_[celli]*rho*(p[celli] - pMean)
+              ? V*solidPart(c, k)*rho*(p[celli] - pMean)
               : 0;
 
             for (label i = 0; i < n; ++i)

@@ -23,12 +23,8 @@ Foam::forcingModels::continuousForcing::continuousForcing(const dictionary& dict
 
 Foam::scalar Foam::forcingModels::continuousForcing::strength
 (
-    const scalar lambda,
-    const scalar dt,
-    const scalar nu,
-    const scalar dx,
-    const scalar
+    const cell& c
 ) const
 {
-    return lambda/min(dt, maxDiffusion_*sqr(dx)/nu);
+    return c.lambda/min(c.dt, maxDiffusion_*sqr(c.dx)/c.nu);
 }

@@ -29,19 +29,11 @@ Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
 {}
 
 
-Foam::scalar Foam::forcingModels::cutCell::strength
-(
-    const scalar lambda,
-    const scalar dt,
-    const scalar nu,
-    const scalar dx,
-    const scalar radius
-) const
+Foam::scalar Foam::forcingModels::cutCell::strength(const cell& c) const
 {
-    const scalar diffusion = nu/sqr(dx);
-    const scalar full = max(1/dt, full_*diffusion*dx/radius);
+    const scalar diffusion = c.nu/sqr(c.dx);
+    const scalar full = max(1/c.dt, full_*diffusion*c.dx/c.radius);
+    const scalar cut = cut_*(1 + curvature_*sqr(c.dx/c.radius))*diffusion;
 
-    const scalar cut = cut_*(1 + curvature_*sqr(dx/radius))*diffusion;
-
-    return lambda/(lambda/full + (1 - lambda)/cut);
+    return c.lambda/(c.lambda/full + (1 - c.lambda)/cut);
 }

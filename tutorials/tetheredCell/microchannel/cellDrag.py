@@ -1,0 +1,69 @@
+"""The drag on the tethered cell as the case gives it, and an independent reference for it.
+
+Reference: the drag of the undeformed ring in unbounded fluid, edgewise, from reference/ (computed by a boundary
+integral method), carried over to the cell's present shape, the bead in front of it, the walls and the periodic
+images by slitMobility.py. A factor corrects for what Rotne-Prager mobilities miss on the undeformed ring.
+"""
+
+import csv
+import glob
+import os
+import re
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from slitMobility import Slit, drag
+
+mu = 1.2e-3            # Pa s, so um/s and pN go together through pN s/um^2 = Pa s
+height, length, width = 50.0, 50.0, 25.0
+
+
+def last_rows(name, case='.'):
+    """Last row per clump type of a clump table of the case, in the newest time directory."""
+    def start(path):
+        return float(path.split('/')[-2])
+    path = sorted(glob.glob('%s/postProcessing/%s/*/%s*.dat' % (case, name, name)), key=start)[-1]
+    rows = {}
+    for line in open(path):
+        if not line.startswith('#'):
+            columns = line.split()
+            rows[columns[2]] = np.array([float(columns[0])] + [float(c) for c in columns[3:]])
+    return rows
+
+
+def spheres(case='.'):
+    """Centres, radii [um] and clump numbers at the last time the case wrote."""
+    files = glob.glob('%s/VTK/clumps/spheres_*.vtp' % case)
+    path = max(files, key=lambda f: int(re.findall(r'_(\d+)\.vtp', f)[0]))
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    fields = data.GetPointData()
+    return (1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*vtk_to_numpy(fields.GetArray('radius')),
+            vtk_to_numpy(fields.GetArray('clump')))
+
+
+def table_value(shape, column):
+    here = os.path.dirname(os.path.abspath(__file__))
+    with open(here + '/reference/stokes_drag_rings_tori_biconcave_computed.csv') as f:
+        rows = csv.DictReader(line for line in f if not line.startswith('#'))
+        return next(float(r[column]) for r in rows if r['shape'].startswith(shape))
+
+
+def reference(x, a, cell, u_mean):
+    """Drag [pN] on the cell's spheres at the mean velocity u_mean [um/s]; the drag over speed of the undeformed ring in
+    unbounded fluid; the factor that makes Rotne-Prager exact for it. cell: which of the spheres x, a are the cell's."""
+    angles = 2*np.pi*np.arange(10)/10
+    ring = 1.955*np.column_stack([np.cos(angles), np.sin(angles), 0*angles])
+    exact = table_value('ring 10 spheres a=1.955;R=1.955', 'FUx_pN_s_um')
+    approximate = drag(ring, np.full(10, 1.955), mu, lambda y, r: 1.0).sum()
+    factor = exact/approximate
+
+    def poiseuille(y, r):
+        # with the curvature over a sphere (Faxen)
+        h = height/2
+        return 1.5*u_mean*(1 - ((y - h)/h)**2 - (r/h)**2/3)
+
+    forces = drag(x, a, mu, poiseuille, Slit(mu, length, height, width).correction)
+    return factor*forces[cell].sum(), exact, factor

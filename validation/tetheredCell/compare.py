@@ -1,0 +1,140 @@
+"""Drag over velocity of the tethered cell against the independent reference (mobilities of spheres in the slit) and
+against D/dx = 8; mesh, time step, the bead's share, and what the paper's own settings cost."""
+
+import glob
+import os
+import re
+import sys
+sys.path.append("../shared")
+sys.path.append("../../tutorials/tetheredCell/microchannel")
+from results import Results, plt, read, save
+from cellDrag import last_rows, reference, spheres
+
+
+def seconds_per_step(folder):
+    """Median of the steps past the first ten."""
+    with open(f"{folder}/log.rbcIbFoam") as log:
+        steps = sorted(float(line.split()[1]) for i, line in
+                       enumerate(line for line in log if re.match(r"Step [\d.]+ s", line)) if i > 10)
+    return steps[len(steps)//2]
+
+
+def row(folder):
+    """One run: what it was, forces [pN], diameters [um], reference, seconds."""
+    resolution, step, velocity = re.match(r"run/(\d+)-(literal|[\d.]+e-\d)-(\d+)", folder).groups()
+    force, shape = last_rows("clumpForce", folder), last_rows("clumpShape", folder)
+    result = {
+        "D_dx": int(resolution), "deltaT_s": 1e-6 if step == "literal" else float(step), "velocity_um_s": int(velocity),
+        "settings": "literal" if step == "literal" else "bead alone" if folder.endswith("bead") else "ours",
+        "end_s": force["bead"][0], "bead_pN": 1e12*force["bead"][1], "seconds_per_step": seconds_per_step(folder),
+    }
+    if "healthy" in force:
+        x, a, clump = spheres(folder)
+        result |= {
+            "cell_pN": 1e12*force["healthy"][1],
+            "reference_pN": reference(x, a, clump == 1, result["velocity_um_s"])[0],
+            "axial_um": 1e6*shape["healthy"][4], "transverse_um": 1e6*shape["healthy"][5],
+        }
+    return result
+
+
+runs = [row(folder) for folder in sorted(glob.glob("run/*-*"))]
+columns = sorted({key for run in runs for key in run}, key=lambda k: ("D_dx deltaT_s velocity_um_s settings end_s "
+                 "cell_pN reference_pN bead_pN axial_um transverse_um seconds_per_step").split().index(k))
+with open("data.csv", "w") as file:
+    print(",".join(columns), file=file)
+    for run in runs:
+        print(",".join(f"{run.get(c, '')}" for c in columns), file=file)
+
+
+def ours(resolution=None, step=None, velocity=None):
+    return sorted((r for r in runs if r["settings"] == "ours" and resolution in (None, r["D_dx"])
+                   and step in (None, r["deltaT_s"]) and velocity in (None, r["velocity_um_s"])),
+                  key=lambda r: r["velocity_um_s"])
+
+
+def over_u(run, key="cell_pN"):
+    return run[key]/run["velocity_um_s"]
+
+
+def at_finest(velocity):
+    """F_D/u at D/dx = 8, linear between the velocities computed."""
+    low, high = ours(8)
+    part = (velocity - low["velocity_um_s"])/(high["velocity_um_s"] - low["velocity_um_s"])
+    return over_u(low) + part*(over_u(high) - over_u(low))
+
+
+source = "spheres in a periodic slit, the undeformed ring exact (cellDrag.py)"
+results = Results()
+sweep = ours(4, 1e-3)
+for run in sweep or ours(4):
+    u = run["velocity_um_s"]
+    results.add(f"F_D/u at {u} um/s, D/dx 4, independent reference", over_u(run), "pN s/um",
+                over_u(run, "reference_pN"), "5%", source)
+    if ours(8):
+        results.add(f"F_D/u at {u} um/s, D/dx 4, finest mesh", over_u(run), "pN s/um", at_finest(u), "4%", "D/dx = 8")
+for run in ours(6) + ours(8):
+    results.add(f"F_D/u at {run['velocity_um_s']} um/s, D/dx {run['D_dx']}, independent reference", over_u(run),
+                "pN s/um", over_u(run, "reference_pN"), "5%", source)
+fine = ours(4, 1e-4)
+for run in ours(4, velocity=980) if fine else []:
+    if run is not fine[0]:
+        results.add(f"F_D/u at {run['deltaT_s']:g} s", over_u(run), "pN s/um", over_u(fine[0]), "1%", "1e-4 s")
+
+alone = [r for r in runs if r["settings"] == "bead alone"]
+if alone:
+    run = ours(4, 1e-3, 980)[0]
+    print(f"Drag at 980 um/s: {run['cell_pN']:.2f} pN on the cell; {run['cell_pN'] + run['bead_pN']:.2f} pN on cell and "
+          f"bead less {alone[0]['bead_pN']:.2f} pN on the bead alone: "
+          f"{run['cell_pN'] + run['bead_pN'] - alone[0]['bead_pN']:.2f} pN")
+
+for literal in (r for r in runs if r["settings"] == "literal"):
+    same = ours(4, 1e-3, literal["velocity_um_s"])[0]
+    exact = at_finest(literal["velocity_um_s"])
+    print("settings   time step   F_D/u    error against D/dx 8   seconds per simulated second")
+    for name, run in ("literal", literal), ("ours", same):
+        print(f"{name:10s} {run['deltaT_s']:6g} s  {over_u(run):8.4f}  {100*(over_u(run)/exact - 1):8.1f} %"
+              f"  {run['seconds_per_step']/run['deltaT_s']:18.3g}")
+    ratio = literal["seconds_per_step"]/literal["deltaT_s"]/same["seconds_per_step"]*same["deltaT_s"]
+    print(f"Ours costs {ratio:.0f} times less")
+
+if sweep:
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4.2))
+    speeds = [r["velocity_um_s"] for r in sweep]
+    left.plot(speeds, [over_u(r) for r in sweep], "o-", label="D/dx = 4")
+    for resolution, mark in (6, "^"), (8, "s"):
+        left.plot([r["velocity_um_s"] for r in ours(resolution)], [over_u(r) for r in ours(resolution)], mark,
+                  mfc="none", label=f"D/dx = {resolution}")
+    left.plot(speeds, [over_u(r, "reference_pN") for r in sweep], "k--", label="mobility reference")
+    if os.path.exists("experiment.csv"):
+        points = read("experiment.csv")
+        left.errorbar([p["velocity_um_s"] for p in points], [p["FD_over_u_pN_s_um"] for p in points],
+                      [p["error"] for p in points], fmt="kD", label="experiment")
+    left.set_xlabel("mean velocity [um/s]")
+    left.set_ylabel("F$_D$/u [pN s/um]")
+    left.set_ylim(0, 1.3*max(over_u(r) for r in sweep))
+    left.legend(fontsize=8)
+
+    middle.plot(speeds, [r["axial_um"] for r in sweep], "o-", label="along the flow")
+    middle.plot(speeds, [r["transverse_um"] for r in sweep], "s-", label="across")
+    middle.axhline(7.82, color="k", ls="--", lw=0.8, label="at rest")
+    middle.set_ylim(0, None)
+    middle.set_xlabel("mean velocity [um/s]")
+    middle.set_ylabel("diameter of the cell [um]")
+    middle.legend(fontsize=8)
+
+    for i, run in enumerate((sweep[0], sweep[-1])):
+        x, a, clump = spheres(f"run/4-1e-3-{run['velocity_um_s']}")
+        for centre, radius, which in zip(x, a, clump):
+            right.add_patch(plt.Circle(centre[:2] + (0, -12*i), radius, alpha=0.5, lw=0,
+                                       color="C3" if which else "C0"))
+        right.text(13, 30 - 12*i, f"{run['velocity_um_s']} um/s", fontsize=9)
+    right.set_xlim(12, 36)
+    right.set_ylim(7, 32)
+    right.set_aspect("equal")
+    right.grid(False)
+    right.set_xlabel("x [um]")
+    right.set_yticks([])
+    save(figure, "tetheredCell.png")
+
+results.write()

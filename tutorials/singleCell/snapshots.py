@@ -39,7 +39,7 @@ if together:
     figure, axes = plt.subplots(figsize=(12, 12*2.4*max(rs)/(xs[-1] - xs[0]) + 0.6))
     panels = [axes]*number
 else:
-    figure, panels = plt.subplots(1, number, figsize=(2*number, 3.2), sharey=True)
+    figure, panels = plt.subplots(1, number, figsize=(2*number, 2.6), sharey=True)
 
 for i, (axes, k) in enumerate(zip(panels, chosen)):
     x, radii = spheres(files[k])
@@ -60,7 +60,8 @@ for axes in [panels[0]] if together else panels:
     for sign in -1, 1:
         axes.plot(wall_x, [sign*r for r in wall_r], "k", lw=1.5)
     axes.set_xlim(low, high)
-    axes.set_ylim(-1.1*max(rs), 1.1*max(rs))
+    height = 1.1*max(rs) if together else min(1.1*max(rs), 8)
+    axes.set_ylim(-height, height)
     axes.set_aspect("equal")
     axes.set_xlabel("x [um]" if together else "x - cell [um]", fontsize=8)
 panels[0].set_ylabel("y [um]", fontsize=8)

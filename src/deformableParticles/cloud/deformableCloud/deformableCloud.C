@@ -47,10 +47,14 @@ void Foam::deformableCloud::immerse
 )
 {
     imposed_.setSize(size());
+    lastChange_.setSize(size());
     label index = 0;
     for (const clumpParcel& parcel : *this)
     {
-        imposed_[index++] = parcel.state();
+        imposed_[index] = parcel.state();
+        lastChange_[index] =
+            mesh_.time().deltaT0Value()*parcel.state().a;
+        ++index;
     }
 
     {
@@ -72,7 +76,7 @@ void Foam::deformableCloud::iterate
     mu_ = rho_*gMax(nu.primitiveField());
     gatherForces(U, p, nu);
 
-    // The step as it would end now; only its velocities are kept
+    // The step as it would end now; its velocities are kept, and the margin
     List<clumpState> start(size());
     label index = 0;
     for (const clumpParcel& parcel : *this)
@@ -87,6 +91,7 @@ void Foam::deformableCloud::iterate
     {
         imposed_[index].u = parcel.state().u;
         imposed_[index].w = parcel.state().w;
+        start[index].exchange = parcel.state().exchange;
         parcel.state() = start[index];
         parcel.state().u = imposed_[index].u;
         parcel.state().w = imposed_[index].w;
@@ -185,7 +190,10 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
     {
         ext.f += parcel.fluidForces();
         ext.t += parcel.fluidTorques();
-        exchangeModel_->coefficients(ct, mu_, rho_, dt, ext.zeta, ext.zetaR);
+        exchangeModel_->coefficients
+        (
+            ct, s.exchange*mu_, rho_, dt, ext.zeta, ext.zetaR
+        );
         ext.u0 = imposed.u;
         ext.w0 = imposed.w;
 
@@ -282,9 +290,39 @@ void Foam::deformableCloud::advance(const scalar dt)
     for (clumpParcel& parcel : *this)
     {
         clumpState& s = parcel.state();
-        s.a = (s.u - imposed_[index].u)/dt;
+        const vectorField change(s.u - imposed_[index].u);
+        s.a = change/dt;
         s.b = (s.w - imposed_[index].w)/dt;
+        if (wet())
+        {
+            adaptExchange(parcel, lastChange_[index], change);
+        }
         ++index;
+    }
+}
+
+
+void Foam::deformableCloud::adaptExchange
+(
+    clumpParcel& parcel,
+    vectorField& last,
+    const vectorField& now
+)
+{
+    clumpState& s = parcel.state();
+
+    const bool overshoots =
+        sum(now & last) < 0
+     && sum(magSqr(now)) > sum(magSqr(last))
+     && sum(magSqr(now)) > 1e-6*sum(magSqr(s.u));
+
+    s.exchange = overshoots ? 2*s.exchange : max(0.99*s.exchange, 1.0);
+    last = now;
+
+    if (overshoots)
+    {
+        Pout<< "Clump " << parcel.origId() << ": exchange overshoots, margin times "
+            << s.exchange << endl;
     }
 }
 

@@ -110,10 +110,17 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
     );
     c.checkFieldIOobject(c, typeIds);
 
+    IOField<scalar> exchange
+    (
+        c.fieldIOobject("exchangeFactor", IOobject::MUST_READ), c.size() > 0
+    );
+    c.checkFieldIOobject(c, exchange);
+
     label i = 0;
     for (clumpParcel& p : c)
     {
-        p.typeId_ = typeIds[i++];
+        p.typeId_ = typeIds[i];
+        p.state_.exchange = exchange[i++];
     }
 
     readLists<vector>
@@ -176,6 +183,10 @@ void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
         c.fieldIOobject("typeId", IOobject::NO_READ), c.size()
     );
     IOField<vector> U(c.fieldIOobject("U", IOobject::NO_READ), c.size());
+    IOField<scalar> exchange
+    (
+        c.fieldIOobject("exchangeFactor", IOobject::NO_READ), c.size()
+    );
 
     const auto& cloud = dynamic_cast<const deformableCloud&>(c);
     label i = 0;
@@ -183,10 +194,12 @@ void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
     {
         typeIds[i] = p.typeId_;
         U[i] = p.state_.velocity(cloud.type(p));
+        exchange[i] = p.state_.exchange;
         ++i;
     }
     typeIds.write(valid);
     U.write(valid);
+    exchange.write(valid);
 
     writeLists<vector>
     (

@@ -105,7 +105,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 {
     os  << s.x << token::SPACE << s.u << token::SPACE << s.q << token::SPACE
         << s.w << token::SPACE << s.n << token::SPACE << s.m << token::SPACE
-        << s.a << token::SPACE << s.b << token::SPACE << s.broken;
+        << s.a << token::SPACE << s.b << token::SPACE << s.broken
+        << token::SPACE << s.exchange;
     os.check(FUNCTION_NAME);
     return os;
 }
@@ -113,7 +114,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpState& s)
 {
-    is >> s.x >> s.u >> s.q >> s.w >> s.n >> s.m >> s.a >> s.b >> s.broken;
+    is >> s.x >> s.u >> s.q >> s.w >> s.n >> s.m >> s.a >> s.b >> s.broken
+       >> s.exchange;
     is.check(FUNCTION_NAME);
     return is;
 }

@@ -33,7 +33,8 @@ void Foam::functionObjects::clumpForce::writeHeader(Ostream& os) const
 {
     os  << "# Force of the fluid on every clump" << nl
         << "# time [s]\tclump\ttype\tFx Fy Fz [N]\tTx Ty Tz [N m]"
-        << "\tx y z [m]\tUx Uy Uz [m/s]" << endl;
+        << "\tx y z [m]\tUx Uy Uz [m/s]\tdrag [N]\tlift [N]"
+        << endl;
 }
 
 
@@ -50,11 +51,8 @@ Foam::string Foam::functionObjects::clumpForce::row
         torque += (p.state().x[i] - centre) ^ p.fluidForces()[i];
     }
 
-    return columns
-    (
-        {
-            sum(p.fluidForces()), torque, p.centre(type),
-            p.state().velocity(type)
-        }
-    );
+    const vector force(sum(p.fluidForces()));
+    return
+        columns({force, torque, p.centre(type), p.state().velocity(type)})
+      + columns({force & flow(), force & gradient()});
 }

@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpShape.H"
+#include "sphereUnion.H"
 #include "addToRunTimeSelectionTable.H"
+#include "mathematicalConstants.H"
 #include <Eigen/Dense>
 
 namespace Foam
@@ -60,6 +62,17 @@ vector extents(const pointField& x, const scalarField& r, const tensor& axes)
     return high - low;
 }
 
+
+scalar polygonArea(const pointField& x)
+{
+    vector sum(Zero);
+    forAll(x, i)
+    {
+        sum += (x[i] - x[0]) ^ (x[x.fcIndex(i)] - x[0]);
+    }
+    return 0.5*mag(sum);
+}
+
 }
 
 
@@ -70,9 +83,20 @@ Foam::functionObjects::clumpShape::clumpShape
     const dictionary& dict
 )
 :
-    clumpTable(name, runTime, dict, typeName)
+    clumpTable(name, runTime, dict, typeName),
+    marked_(0)
 {
     start(dict);
+}
+
+
+bool Foam::functionObjects::clumpShape::read(const dictionary& dict)
+{
+    marked_ = dict.getCheckOrDefault<label>
+    (
+        "marked", 0, [](const label i){ return i >= 0; }
+    );
+    return clumpTable::read(dict);
 }
 
 
@@ -80,7 +104,9 @@ void Foam::functionObjects::clumpShape::writeHeader(Ostream& os) const
 {
     os  << "# Shape of every clump" << nl
         << "# time [s]\tclump\ttype\tLx Ly Lz [m]\tL1 L2 L3 [m]"
-        << "\taxis1x axis1y axis1z\tomegax omegay omegaz [rad/s]" << endl;
+        << "\taxis1x axis1y axis1z\tomegax omegay omegaz [rad/s]"
+        << "\tTaylor deformation\tinclination [rad]\tphase [rad]"
+        << "\tarea [m2]\tvolume [m3]" << endl;
 }
 
 
@@ -91,15 +117,36 @@ Foam::string Foam::functionObjects::clumpShape::row
 ) const
 {
     const clumpState& s = p.state();
-    const tensor axes(principalAxes(s.x, s.centre(type)));
+    const point centre(s.centre(type));
+    const tensor axes(principalAxes(s.x, centre));
+    const vector lengths(extents(s.x, type.radii(), axes));
 
-    return columns
-    (
-        {
-            extents(s.x, type.radii(), tensor::I),
-            extents(s.x, type.radii(), axes),
-            axes.x(),
-            s.angularVelocity(type)
-        }
-    );
+    // The longest axis has no sign
+    scalar inclination = angle(axes.x());
+    if (mag(inclination) > constant::mathematical::piByTwo)
+    {
+        inclination -= sign(inclination)*constant::mathematical::pi;
+    }
+    const label marked = min(marked_, type.size() - 1);
+
+    return
+        columns
+        (
+            {
+                extents(s.x, type.radii(), tensor::I),
+                lengths,
+                axes.x(),
+                s.angularVelocity(type)
+            }
+        )
+      + columns
+        (
+            {
+                mag(lengths.x() - lengths.y())/(lengths.x() + lengths.y()),
+                inclination,
+                angle(s.x[marked] - centre),
+                polygonArea(s.x),
+                sphereUnion::volume(s.x, type.radii(), 100)
+            }
+        );
 }

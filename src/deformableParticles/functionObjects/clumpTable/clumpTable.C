@@ -16,8 +16,33 @@ Foam::functionObjects::clumpTable::clumpTable
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, fileName, dict)
+    writeFile(mesh_, name, fileName, dict),
+    flow_(Zero),
+    gradient_(Zero)
 {}
+
+
+Foam::vector Foam::functionObjects::clumpTable::direction
+(
+    const dictionary& dict,
+    const word& key,
+    const vector& value
+)
+{
+    return normalised
+    (
+        dict.getCheckOrDefault<vector>
+        (
+            key, value, [](const vector& v){ return mag(v) > 0; }
+        )
+    );
+}
+
+
+Foam::scalar Foam::functionObjects::clumpTable::angle(const vector& v) const
+{
+    return std::atan2(v & gradient_, v & flow_);
+}
 
 
 void Foam::functionObjects::clumpTable::start(const dictionary& dict)
@@ -33,6 +58,14 @@ void Foam::functionObjects::clumpTable::start(const dictionary& dict)
 bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
 {
     cloudName_ = dict.getOrDefault<word>("cloud", "clumps");
+    flow_ = direction(dict, "flow", vector(1, 0, 0));
+    gradient_ = direction(dict, "gradient", vector(0, 1, 0));
+    if (mag(flow_ & gradient_) > 1e-6)
+    {
+        FatalIOErrorInFunction(dict)
+            << "flow " << flow_ << " and gradient " << gradient_
+            << " are not at right angles" << exit(FatalIOError);
+    }
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }
 
@@ -47,6 +80,21 @@ Foam::string Foam::functionObjects::clumpTable::columns
     for (const vector& v : values)
     {
         os << '\t' << v.x() << '\t' << v.y() << '\t' << v.z();
+    }
+    return os.str();
+}
+
+
+Foam::string Foam::functionObjects::clumpTable::columns
+(
+    const std::initializer_list<scalar>& values
+)
+{
+    OStringStream os;
+    os.precision(10);
+    for (const scalar v : values)
+    {
+        os << '\t' << v;
     }
     return os.str();
 }

@@ -1,0 +1,72 @@
+"""A red blood cell in tubes: distance from the axis, speed over the mean velocity, shape; the passage through capillaries
+narrower than the cell."""
+
+import math
+import sys
+sys.path.append("../shared")
+from results import Results, mean, plt, read, save
+
+diameter, mean_velocity = 7.82e-6, 0.8e-3
+results = Results()
+runs = read("data.csv")
+ways = {r["run"]: read(f"data-{r['run']}.csv") for r in runs}
+
+
+def distance(row):
+    return math.hypot(row["y_m"], row["z_m"])
+
+
+for r in runs:
+    way = ways[r["run"]]
+    results.add(f"{r['run']}: longest diameter / D", max(max(w["L1_m"], w["L2_m"]) for w in way)/diameter, "-", 1, 1,
+                "bounded")
+    if r["kind"] == "tubeFlow":
+        late = way[len(way)//2:]
+        speed = mean([w["u_m_s"] for w in late])/mean_velocity
+        results.add(f"{r['run']}: speed over mean velocity, second half", speed, "-", 1.5, 0.5,
+                    "between the mean and the axial velocity of the empty tube")
+        print(f"{r['run']}: speed/mean {speed:.3f}, distance from the axis {1e6*mean([distance(w) for w in late]):.2f} um, "
+              f"along the flow {1e6*mean([w['Lx_m'] for w in late]):.2f} um, across "
+              f"{1e6*mean([w['Ly_m'] for w in late]):.2f} and {1e6*mean([w['Lz_m'] for w in late]):.2f} um, "
+              f"{r['seconds']:.0f} s")
+    else:
+        # The constriction ends at 48 um, the taper at 56
+        results.add(f"{r['run']}: diameters at the end, longer over shorter", way[-1]["L1_m"]/way[-1]["L2_m"], "-", 1, 0.3,
+                    "recovers its shape")
+        through = [w for w in way if w["x_m"] > 60e-6]
+        results.add(f"{r['run']}: way of the cell [um]", 1e6*max(w["x_m"] for w in way), "um", 70, 10,
+                    "passed the constriction")
+        if through:
+            inside = [w["t_s"] for w in way if 28e-6 < w["x_m"] < 48e-6]
+            narrowest = min(w["Ly_m"] for w in way)
+            print(f"{r['run']}: {1e3*(inside[-1] - inside[0]):.1f} ms inside, narrowest {1e6*narrowest:.2f} um, "
+                  f"longest {1e6*max(w['L1_m'] for w in way):.2f} um, at the end "
+                  f"{1e6*way[-1]['L1_m']:.2f} x {1e6*way[-1]['L2_m']:.2f} um, {r['seconds']:.0f} s")
+
+coarse = [r for r in runs if r["run"].startswith("tube-4-0.5")]
+fine = [r for r in runs if r["run"].startswith("tube-6-0.5")]
+if fine:
+    speeds = [mean([w["u_m_s"] for w in ways[r["run"]][len(ways[r["run"]])//2:]]) for r in (coarse[0], fine[0])]
+    results.add("speed at D/dx 4 over that at 6", speeds[0]/speeds[1], "-", 1, 0.04, "grid convergence")
+
+figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4))
+for r in runs:
+    way = ways[r["run"]]
+    if r["kind"] == "tubeFlow":
+        left.plot([w["t_s"] for w in way], [1e6*distance(w) for w in way], label=r["run"])
+        middle.plot([w["t_s"] for w in way], [w["u_m_s"]/mean_velocity for w in way], label=r["run"])
+    else:
+        inside = [w for w in way if 15e-6 < w["x_m"] < 70e-6]
+        right.plot([1e6*w["x_m"] for w in inside], [1e6*w["Ly_m"] for w in inside], label=r["run"])
+left.set_xlabel("time [s]")
+left.set_ylabel("distance from the axis [um]")
+left.set_ylim(0, None)
+middle.set_xlabel("time [s]")
+middle.set_ylabel("speed / mean velocity")
+middle.set_ylim(1, 2)
+right.set_xlabel("place of the cell [um]")
+right.set_ylabel("width of the cell [um]")
+for axes in left, right:
+    axes.legend(fontsize=7)
+save(figure, "tubeCell.png")
+results.write()

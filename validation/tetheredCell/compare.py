@@ -76,10 +76,10 @@ for run in sweep or ours(4):
 for run in ours(6) + ours(8):
     results.add(f"F_D/u at {run['velocity_um_s']} um/s, D/dx {run['D_dx']}, independent reference", over_u(run),
                 "pN s/um", over_u(run, "reference_pN"), "5%", source)
-fine = ours(4, 1e-4)
+fine = ours(4, 2e-4)
 for run in ours(4, velocity=980) if fine else []:
     if run is not fine[0]:
-        results.add(f"F_D/u at {run['deltaT_s']:g} s", over_u(run), "pN s/um", over_u(fine[0]), "1%", "1e-4 s")
+        results.add(f"F_D/u at {run['deltaT_s']:g} s", over_u(run), "pN s/um", over_u(fine[0]), "1%", "2e-4 s")
 
 alone = [r for r in runs if r["settings"] == "bead alone"]
 if alone:

@@ -259,3 +259,31 @@ TEST_CASE("boundary: flux of the sharp forcing to a wall on the way to a neighbo
      == Approx(nu/(part*sqr(dx))).epsilon(1e-9)
     );
 }
+
+
+TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][serial]")
+{
+    const word fraction = GENERATE
+    (
+        word("full"), word("centre"), word("signedDistance"), word("tetClipping")
+    );
+    const word forcing = GENERATE
+    (
+        word("continuous"), word("cutCell"), word("sharp")
+    );
+    testCloud t
+    (
+        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), Zero, "clump", true,
+        forcing, fraction
+    );
+
+    // Solid in the middle of a sphere, whose velocity is the cell's
+    const scalarField& S = t.boundary().strength();
+    const label deepest = findMax(S);
+    CHECK(gMin(S) >= 0);
+    CHECK(gMax(t.boundary().solidFraction().primitiveField()) == Approx(1));
+    CHECK
+    (
+        mag(t.boundary().solidVelocity()[deepest] - vector(1e-3, 0, 0)) < 1e-15
+    );
+}

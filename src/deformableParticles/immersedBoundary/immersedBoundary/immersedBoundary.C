@@ -125,7 +125,7 @@ void Foam::immersedBoundary::findCover
         }
 
         const scalar dx = geometry_.width(celli);
-        scalar seen = d, conductance = 0;
+        scalar seen = GREAT, conductance = 0;
         if (usesDistance)
         {
             forAll(radii, i)

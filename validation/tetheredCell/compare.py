@@ -21,11 +21,11 @@ def seconds_per_step(folder):
 
 def row(folder):
     """One run: what it was, forces [pN], diameters [um], reference, seconds."""
-    resolution, step, velocity = re.match(r"run/(\d+)-(literal|[\d.]+e-\d)-(\d+)", folder).groups()
+    resolution, step, velocity = re.match(r"run/(\d+)-(literal|again|[\d.]+e-\d)-(\d+)", folder).groups()
     force, shape = last_rows("clumpForce", folder), last_rows("clumpShape", folder)
     result = {
-        "D_dx": int(resolution), "deltaT_s": 1e-6 if step == "literal" else float(step), "velocity_um_s": int(velocity),
-        "settings": "literal" if step == "literal" else "bead alone" if folder.endswith("bead") else "ours",
+        "D_dx": int(resolution), "deltaT_s": {"literal": 1e-6, "again": 1e-3}.get(step) or float(step), "velocity_um_s": int(velocity),
+        "settings": step if step in ("literal", "again") else "bead alone" if folder.endswith("bead") else "ours",
         "end_s": force["bead"][0], "bead_pN": 1e12*force["bead"][1], "seconds_per_step": seconds_per_step(folder),
     }
     if "healthy" in force:
@@ -89,7 +89,7 @@ if alone:
           f"{run['cell_pN'] + run['bead_pN'] - alone[0]['bead_pN']:.2f} pN")
 
 for literal in (r for r in runs if r["settings"] == "literal"):
-    same = ours(4, 1e-3, literal["velocity_um_s"])[0]
+    same = next(r for r in runs if r["settings"] == "again" and r["velocity_um_s"] == literal["velocity_um_s"])
     exact = at_finest(literal["velocity_um_s"])
     print("settings   time step   F_D/u    error against D/dx 8   seconds per simulated second")
     for name, run in ("literal", literal), ("ours", same):

@@ -32,6 +32,7 @@ Description
 #include "deformableCloud.H"
 #include "modelSelection.H"
 #include "stepReport.H"
+#include "watchdog.H"
 
 int main(int argc, char* argv[])
 {
@@ -60,6 +61,7 @@ int main(int argc, char* argv[])
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
 
     stepReport report(runTime, cells);
+    watchdog guard(runTime, cells);
     #include "decideConvection.H"
     active.printTable(Info);
 
@@ -106,6 +108,7 @@ int main(int argc, char* argv[])
         fvOptions.correct(U);
 
         cells.evolve(U, p, nu);
+        guard.check(report.continuityError());
 
         {
             const effects::timer t(active, "write");

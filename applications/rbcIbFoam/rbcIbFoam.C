@@ -21,6 +21,8 @@ Description
     (dynamicRefineFvMesh on the field clumpCloseness, see immersedBoundary).
 
     Without a fluid (no constant/transportProperties) the clumps move alone.
+
+    rbcIbFoam -estimate runs a few steps and prints what the case will cost.
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
@@ -31,13 +33,21 @@ Description
 #include "fvOptions.H"
 #include "deformableCloud.H"
 #include "modelSelection.H"
+#include "costEstimate.H"
 #include "stepReport.H"
+#include "watchdog.H"
 
 int main(int argc, char* argv[])
 {
     argList::addNote
     (
         "Incompressible flow with resolved deformable particles"
+    );
+
+    argList::addBoolOption
+    (
+        "estimate",
+        "Run a few steps, print what the case will cost, write nothing"
     );
 
     #define CREATE_CONTROL createPressureControl.H
@@ -60,6 +70,12 @@ int main(int argc, char* argv[])
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
 
     stepReport report(runTime, cells);
+    watchdog guard(runTime, cells);
+    costEstimate estimate(runTime, cells, args.found("estimate"));
+    if (estimate.wanted())
+    {
+        runTime.functionObjects().off();
+    }
     #include "decideConvection.H"
     active.printTable(Info);
 
@@ -106,12 +122,28 @@ int main(int argc, char* argv[])
         fvOptions.correct(U);
 
         cells.evolve(U, p, nu);
+        guard.check(report.continuityError());
 
+        if (estimate.wanted())
+        {
+            estimate.add(report.stepSeconds(), active.seconds("clumps"));
+            if (estimate.done())
+            {
+                break;
+            }
+            continue;
+        }
         {
             const effects::timer t(active, "write");
             runTime.write();
         }
         report.endStep();
+    }
+
+    if (estimate.wanted())
+    {
+        estimate.print(mesh.globalData().nTotalCells());
+        return 0;
     }
 
     report.end();

@@ -74,148 +74,9 @@ void Foam::immersedBoundary::allocate()
 }
 
 
-void Foam::immersedBoundary::findCover
-(
-    const clumpImage& image,
-    cover& c
-) const
-{
-    const clumpType& type = types_[image.typeId];
-    const scalarField& radii = type.radii();
-    const scalar smallest = min(radii);
-    const bool usesDistance = forcingModel_->usesDistance();
-    const scalar nReaches = usesDistance ? 2 : 1;
-    DynamicList<point> nearCentres;
-    DynamicList<scalar> nearRadii;
-    scalarField seenRadii(radii);
-
-    for (const label celli : geometry_.find(image.box, nReaches))
-    {
-        const point& x = mesh_.cellCentres()[celli];
-        const scalar reach = geometry_.reach(celli);
-        if (magSqr(x - image.box.nearest(x)) > sqr(nReaches*reach))
-        {
-            continue;
-        }
-        const scalar d = sphereUnion::distance(x, image.x, radii);
-
-        if (d > nReaches*reach)
-        {
-            continue;
-        }
-
-        scalar lambda = d > reach ? 0 : 1;
-        if (mag(d) < reach)
-        {
-            nearCentres.clear();
-            nearRadii.clear();
-            forAll(image.x, i)
-            {
-                // The others do not reach into the cell
-                if (mag(x - image.x[i]) < radii[i] + reach)
-                {
-                    nearCentres.append(image.x[i]);
-                    nearRadii.append(radii[i]);
-                }
-            }
-            lambda = solidFractionModel_->fraction
-            (
-                mesh_, celli, d, nearCentres, nearRadii
-            );
-        }
-
-        const scalar dx = geometry_.width(celli);
-        scalar seen = GREAT, conductance = 0;
-        if (usesDistance)
-        {
-            forAll(radii, i)
-            {
-                seenRadii[i] =
-                    radii[i] + forcingModel_->displacement(dx, radii[i]);
-            }
-            const auto distance = [&](const point& y)
-            {
-                return sphereUnion::distance(y, image.x, seenRadii);
-            };
-            seen = distance(x);
-            if (seen > 0)
-            {
-                conductance = geometry_.wallConductance(celli, distance);
-            }
-        }
-
-        if (lambda > SMALL || conductance > 0 || seen < 0)
-        {
-            if (smallest < 0.999*dx)
-            {
-                FatalErrorInFunction
-                    << "Clump type " << type.name() << ": the sphere radius "
-                    << smallest << " at " << image.x[0] << " is below the "
-                    << "cell width " << dx << " (D/dx = " << 2*smallest/dx
-                    << "): refine the mesh until D/dx is 2 at least, 4 for "
-                    << "accuracy" << exit(FatalError);
-            }
-            c.cells.append(celli);
-            c.lambda.append(lambda);
-            c.distance.append(seen);
-            c.wallConductance.append(conductance);
-        }
-    }
-    c.share = c.lambda;
-}
-
-
-void Foam::immersedBoundary::setWeights
-(
-    const clumpImage& image,
-    cover& c
-) const
-{
-    const clumpType& type = types_[image.typeId];
-    const label n = type.size();
-
-    c.weights.setSize(n*c.cells.size());
-    c.gradWeights.setSize(n*c.cells.size());
-    scalarField exponent(n);
-
-    forAll(c.cells, k)
-    {
-        const point& x = mesh_.cellCentres()[c.cells[k]];
-        scalar* w = &c.weights[n*k];
-        vector* gradW = &c.gradWeights[n*k];
-
-        for (label i = 0; i < n; ++i)
-        {
-            exponent[i] = -magSqr(x - image.x[i])/sqr(type.radii()[i]);
-        }
-
-        // The largest exponent taken out: the sum is never zero
-        const scalar largest = max(exponent);
-        scalar sum = 0;
-        for (label i = 0; i < n; ++i)
-        {
-            w[i] = Foam::exp(max(exponent[i] - largest, scalar(-200)));
-            sum += w[i];
-        }
-
-        vector mean(Zero);
-        for (label i = 0; i < n; ++i)
-        {
-            w[i] /= sum;
-            gradW[i] = -2/sqr(type.radii()[i])*(x - image.x[i]);
-            mean += w[i]*gradW[i];
-        }
-        for (label i = 0; i < n; ++i)
-        {
-            gradW[i] = w[i]*(gradW[i] - mean);
-        }
-    }
-}
-
-
 Foam::scalar Foam::immersedBoundary::solidPart
 (
-    const cover& c,
+    const clumpCover& c,
     const label k
 ) const
 {
@@ -227,7 +88,7 @@ Foam::scalar Foam::immersedBoundary::solidPart
 
 void Foam::immersedBoundary::clearCovered()
 {
-    for (const cover& c : covers_)
+    for (const clumpCover& c : covers_)
     {
         for (const label celli : c.cells)
         {
@@ -250,8 +111,12 @@ void Foam::immersedBoundary::checkResolution
 {
     for (const clumpImage& image : images)
     {
-        cover c;
-        findCover(image, c);
+        clumpCover c;
+        c.find
+        (
+            geometry_, *solidFractionModel_, *forcingModel_,
+            types_[image.typeId], image
+        );
     }
 }
 
@@ -259,7 +124,7 @@ void Foam::immersedBoundary::checkResolution
 void Foam::immersedBoundary::addFractions
 (
     const clumpImage& image,
-    const cover& c
+    const clumpCover& c
 )
 {
     const scalarField& radii = types_[image.typeId].radii();
@@ -292,7 +157,7 @@ void Foam::immersedBoundary::setStrengths
 
     forAll(images, a)
     {
-        cover& c = covers_[a];
+        clumpCover& c = covers_[a];
         const scalarField& radii = types_[images[a].typeId].radii();
         const label n = radii.size();
 
@@ -347,13 +212,17 @@ void Foam::immersedBoundary::update
     {
         clearCovered();
     }
-    covers_ = List<cover>(images.size());
+    covers_ = List<clumpCover>(images.size());
 
     forAll(images, a)
     {
-        cover& c = covers_[a];
-        findCover(images[a], c);
-        setWeights(images[a], c);
+        const clumpType& type = types_[images[a].typeId];
+        clumpCover& c = covers_[a];
+        c.find
+        (
+            geometry_, *solidFractionModel_, *forcingModel_, type, images[a]
+        );
+        c.setWeights(geometry_.mesh(), type, images[a]);
 
         addFractions(images[a], c);
     }
@@ -412,7 +281,7 @@ void Foam::immersedBoundary::setCloseness(const UList<clumpImage>& images)
 
 void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
 {
-    for (const cover& c : covers_)
+    for (const clumpCover& c : covers_)
     {
         for (const label celli : c.cells)
         {
@@ -427,7 +296,7 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
     forAll(images, a)
     {
         const clumpImage& image = images[a];
-        const cover& c = covers_[a];
+        const clumpCover& c = covers_[a];
         const label n = image.x.size();
 
         forAll(c.cells, k)
@@ -490,7 +359,7 @@ void Foam::immersedBoundary::integrate
     forAll(images, a)
     {
         clumpImage& image = images[a];
-        const cover& c = covers_[a];
+        const clumpCover& c = covers_[a];
         const label n = image.x.size();
 
         image.force = Zero;

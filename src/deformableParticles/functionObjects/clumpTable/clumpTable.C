@@ -57,7 +57,7 @@ void Foam::functionObjects::clumpTable::start(const dictionary& dict)
 
 bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
 {
-    cloudName_ = dict.getOrDefault<word>("cloud", "clumps");
+    cloudName_ = deformableCloud::find(mesh_, dict).name();
     flow_ = direction(dict, "flow", vector(1, 0, 0));
     gradient_ = direction(dict, "gradient", vector(0, 1, 0));
     if (mag(flow_ & gradient_) > 1e-6)

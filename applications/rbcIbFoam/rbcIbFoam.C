@@ -30,7 +30,7 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "deformableCloud.H"
-#include "modelSelection.H"
+#include "timeStepLimits.H"
 #include "stepReport.H"
 
 int main(int argc, char* argv[])
@@ -48,6 +48,7 @@ int main(int argc, char* argv[])
 
     deformableCloud cells(mesh);
     effects& active = cells.activeEffects();
+    timeStepLimits(runTime.controlDict());
 
     if (!cells.wet())
     {

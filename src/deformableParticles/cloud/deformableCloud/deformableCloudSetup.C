@@ -53,7 +53,8 @@ Foam::deformableCloud::deformableCloud
     const word& name
 )
 :
-    Cloud<clumpParcel>(mesh, name, false),
+    // Numbers too large: as in readProperties
+    Cloud<clumpParcel>((sigFpe::ignore(), mesh), name, false),
     mesh_(mesh),
     dict_(dict),
     effects_(dict_),

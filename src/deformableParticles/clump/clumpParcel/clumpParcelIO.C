@@ -5,6 +5,7 @@
 
 #include "deformableCloud.H"
 #include "listsFile.H"
+#include "sigFpe.H"
 
 Foam::clumpParcel::clumpParcel
 (
@@ -186,6 +187,9 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 
 void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
 {
+    // What is too large for the machine becomes infinite, and is refused here
+    const sigFpe::ignore overflow;
+
     // Before OpenFOAM reads and takes them as they are
     label i = 0;
     for (const clumpParcel& p : c)

@@ -70,6 +70,15 @@ size_t distance(const std::string& a, const std::string& b)
 }
 
 
+scalar nonNegative(const dictionary& dict, const word& key, const scalar value)
+{
+    return checked
+    (
+        dict, key, value, scalar(0), largestEntry, "0 or above (up to 1e40)"
+    );
+}
+
+
 template<class Type>
 Type between
 (
@@ -188,11 +197,18 @@ Foam::scalar Foam::getPositive
 
 Foam::scalar Foam::getNonNegative(const dictionary& dict, const word& key)
 {
-    return checked
-    (
-        dict, key, dict.get<scalar>(key), scalar(0), largestEntry,
-        "0 or above (up to 1e40)"
-    );
+    return nonNegative(dict, key, dict.get<scalar>(key));
+}
+
+
+Foam::scalar Foam::getNonNegativeOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar value
+)
+{
+    return nonNegative(dict, key, dict.getOrDefault<scalar>(key, value));
 }
 
 

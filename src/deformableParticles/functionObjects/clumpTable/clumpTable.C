@@ -29,13 +29,13 @@ Foam::vector Foam::functionObjects::clumpTable::direction
     const vector& value
 )
 {
-    return normalised
-    (
-        dict.getCheckOrDefault<vector>
-        (
-            key, value, [](const vector& v){ return mag(v) > 0; }
-        )
-    );
+    const vector v(getFiniteOrDefault<vector>(dict, key, value));
+    if (mag(v) < VSMALL)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' must not be zero" << exit(FatalIOError);
+    }
+    return normalised(v);
 }
 
 

@@ -18,12 +18,7 @@ namespace forcingModels
 Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
 :
     cut_(getPositiveOrDefault(dict, "cutCoefficient", 23)),
-    curvature_
-    (
-        dict.found("curvatureCoefficient")
-      ? getNonNegative(dict, "curvatureCoefficient")
-      : 4.3
-    ),
+    curvature_(getNonNegativeOrDefault(dict, "curvatureCoefficient", 4.3)),
     full_(getPositiveOrDefault(dict, "fullCoefficient", 2400))
 {
     checkEntries

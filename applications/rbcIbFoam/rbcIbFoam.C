@@ -32,8 +32,8 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "deformableCloud.H"
-#include "modelSelection.H"
 #include "costEstimate.H"
+#include "timeStepLimits.H"
 #include "stepReport.H"
 #include "watchdog.H"
 
@@ -58,6 +58,7 @@ int main(int argc, char* argv[])
 
     deformableCloud cells(mesh);
     effects& active = cells.activeEffects();
+    timeStepLimits(runTime.controlDict());
 
     if (!cells.wet())
     {

@@ -28,9 +28,11 @@ int main(int argc, char* argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
-    rmDir(runTime.timePath()/cloud::prefix/"clumps");
-
-    const deformableCloud cells(mesh);
+    // Under a name that no clumps are found by; the old ones go only when the
+    // new ones have their places
+    deformableCloud cells(mesh, "newClumps");
+    cells.rename("clumps");
+    rmDir(runTime.timePath()/cloud::prefix/cells.name());
     cells.write();
 
     Info<< "Wrote " << cells.nClumps() << " clumps to "

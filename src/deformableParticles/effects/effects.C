@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "effects.H"
+#include "entries.H"
 #include "HashTable.H"
 #include "IOmanip.H"
 #include "messageStream.H"
@@ -44,7 +45,7 @@ Foam::effects::effects(const dictionary& dict)
         return;
     }
 
-    const dictionary& chosen = dict.subDict("effects");
+    const dictionary& chosen = getDict(dict, "effects");
     for (const word& name : chosen.toc())
     {
         HashTable<label> valid;

@@ -13,7 +13,11 @@ namespace Foam
 }
 
 
-Foam::bondModel::bondModel(const dictionary& dict)
+Foam::bondModel::bondModel
+(
+    const dictionary& dict,
+    const wordList& derived
+)
 :
     given_(dict.found("rigidities")),
     youngModulus_(given_ ? 1 : getPositive(dict, "youngModulus")),
@@ -21,6 +25,16 @@ Foam::bondModel::bondModel(const dictionary& dict)
     normalStrength_(0),
     shearStrength_(0)
 {
+    checkEntries
+    (
+        dict,
+        {
+            "type", "rigidities", "youngModulus", "shearModulus",
+            "multipliers", "breakage"
+        },
+        derived
+    );
+
     if (given_ && (dict.found("youngModulus") || dict.found("multipliers")))
     {
         FatalIOErrorInFunction(dict)
@@ -30,12 +44,14 @@ Foam::bondModel::bondModel(const dictionary& dict)
 
     if (dict.found("breakage"))
     {
-        const dictionary& strength = dict.subDict("breakage");
+        const dictionary& strength = getDict(dict, "breakage");
+        checkEntries(strength, {"normalStress", "shearStress"});
         normalStrength_ = getPositive(strength, "normalStress");
         shearStrength_ = getPositive(strength, "shearStress");
     }
 
-    const dictionary& f = dict.subDict(given_ ? "rigidities" : "multipliers");
+    const dictionary& f = getDict(dict, given_ ? "rigidities" : "multipliers");
+    checkEntries(f, {"normal", "tangential", "bending", "torsional"});
     factors_.normal = getPositive(f, "normal");
     factors_.tangential = getNonNegative(f, "tangential");
     factors_.bending = getNonNegative(f, "bending");

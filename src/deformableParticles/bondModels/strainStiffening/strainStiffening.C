@@ -17,7 +17,7 @@ namespace bondModels
 
 Foam::bondModels::strainStiffening::strainStiffening(const dictionary& dict)
 :
-    bondModel(dict),
+    bondModel(dict, {"stiffening"}),
     b_(getNonNegative(dict, "stiffening"))
 {}
 

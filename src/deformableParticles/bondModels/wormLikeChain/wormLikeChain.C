@@ -17,14 +17,8 @@ namespace bondModels
 
 Foam::bondModels::wormLikeChain::wormLikeChain(const dictionary& dict)
 :
-    bondModel(dict),
-    x0_
-    (
-        dict.getCheck<scalar>
-        (
-            "restExtension", [](scalar x){ return x > 0 && x < 0.99; }
-        )
-    )
+    bondModel(dict, {"restExtension"}),
+    x0_(getBetween(dict, "restExtension", 0.001, 0.99))
 {}
 
 

@@ -4,10 +4,30 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "FlatOutput.H"
 
 namespace Foam
 {
     defineTypeNameAndDebug(deformableCloud, 0);
+}
+
+
+const Foam::deformableCloud& Foam::deformableCloud::find
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    const word name(dict.getOrDefault<word>("cloud", "clumps"));
+    const auto* cloud = mesh.findObject<deformableCloud>(name);
+    if (!cloud)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'cloud' is " << name << ", the clouds are "
+            << flatOutput(mesh.sortedNames<deformableCloud>())
+            << exit(FatalIOError);
+    }
+    return *cloud;
 }
 
 

@@ -8,24 +8,40 @@
 #include "placement.H"
 #include "treeDataCell.H"
 #include "uniformDimensionedFields.H"
+#include "OSspecific.H"
+#include "sigFpe.H"
+#include "sphereGrid.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- constant/clumpProperties. A number too large for the machine becomes
+//  infinite, and is refused where it is read.
+IOdictionary readProperties(const fvMesh& mesh)
+{
+    const sigFpe::ignore overflow;
+    return IOdictionary
+    (
+        IOobject
+        (
+            "clumpProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    );
+}
+
+}
 
 Foam::deformableCloud::deformableCloud(const fvMesh& mesh, const word& name)
 :
     deformableCloud
     (
-        mesh,
-        IOdictionary
-        (
-            IOobject
-            (
-                "clumpProperties",
-                mesh.time().constant(),
-                mesh,
-                IOobject::MUST_READ,
-                IOobject::NO_WRITE
-            )
-        ),
-        name
+        mesh, readProperties(mesh), name
     )
 {}
 
@@ -37,16 +53,17 @@ Foam::deformableCloud::deformableCloud
     const word& name
 )
 :
-    Cloud<clumpParcel>(mesh, name, false),
+    // Numbers too large: as in readProperties
+    Cloud<clumpParcel>((sigFpe::ignore(), mesh), name, false),
     mesh_(mesh),
     dict_(dict),
     effects_(dict_),
     ghosts_(mesh),
-    integrator_(selectModel<integrator>(dict_.subDict("integrator"))),
-    contactModel_(selectModel<contactModel>(dict_.subDict("contactModel"))),
+    integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
+    contactModel_(selectModel<contactModel>(getDict(dict_, "contactModel"))),
     wallContactModel_
     (
-        selectModel<wallContactModel>(dict_.subDict("wallContactModel"))
+        selectModel<wallContactModel>(getDict(dict_, "wallContactModel"))
     ),
     rho_(0),
     mu_(0),
@@ -54,6 +71,16 @@ Foam::deformableCloud::deformableCloud
     nClumps_(0),
     wallClearance_(0)
 {
+    // Other entries of the file are the user's own, to be referred to
+    refuseMisspelt
+    (
+        dict_,
+        {
+            "types", "placement", "integrator", "contactModel",
+            "wallContactModel", "loads", "effects", "rotation", "exchange",
+            "immersedBoundary"
+        }
+    );
     readTypes();
     readLoads();
 
@@ -82,27 +109,28 @@ Foam::deformableCloud::deformableCloud
 
     if (effects_.active("fluid"))
     {
-        rho_ = dimensionedScalar
+        const IOdictionary fluid
         (
-            "rho",
-            dimDensity,
-            IOdictionary
+            IOobject
             (
-                IOobject
-                (
-                    "transportProperties", mesh.time().constant(), mesh,
-                    IOobject::MUST_READ, IOobject::NO_WRITE, false
-                )
+                "transportProperties", mesh.time().constant(), mesh,
+                IOobject::MUST_READ, IOobject::NO_WRITE, false
             )
-        ).value();
+        );
+        rho_ = getPositive(fluid, "rho", dimDensity);
+        if (fluid.found("nu"))
+        {
+            // The viscosity models take any sign
+            getPositive(fluid, "nu", dimViscosity);
+        }
 
-        rotationModel_ = selectModel<rotationModel>(dict_.subDict("rotation"));
-        exchangeModel_ = selectModel<exchangeModel>(dict_.subDict("exchange"));
+        rotationModel_ = selectModel<rotationModel>(getDict(dict_, "rotation"));
+        exchangeModel_ = selectModel<exchangeModel>(getDict(dict_, "exchange"));
         immersedBoundary_.reset
         (
             new immersedBoundary
             (
-                mesh, types_, dict_.subDict("immersedBoundary")
+                mesh, types_, getDict(dict_, "immersedBoundary")
             )
         );
     }
@@ -111,29 +139,22 @@ Foam::deformableCloud::deformableCloud
         effects_.decide("convection", false, "no fluid");
     }
 
-    // Clumps of the start time, or placed anew
     nClumps_ = returnReduce(size(), sumOp<label>());
+    const bool placed = !nClumps_;
     if (nClumps_)
     {
-        clumpParcel::readFields(*this);
+        restart();
     }
-    else if (dict_.found("placement"))
+    else
     {
         place();
     }
 
-    for (const clumpParcel& p : *this)
-    {
-        if (p.typeId() < 0 || p.typeId() >= types_.size())
-        {
-            FatalErrorInFunction
-                << "Clump " << p.origId() << " has type " << p.typeId()
-                << ", but " << dict_.name() << " lists "
-                << types_.size() << " types" << exit(FatalError);
-        }
-    }
-
     ghosts_.update(*this);
+    if (placed)
+    {
+        checkOverlaps(getDict(dict_, "placement"));
+    }
     if (wet())
     {
         immersedBoundary_->checkResolution(ghosts_.images());
@@ -144,13 +165,19 @@ Foam::deformableCloud::deformableCloud
 
 void Foam::deformableCloud::readTypes()
 {
-    const dictionary& types = dict_.subDict("types");
+    const dictionary& types = getDict(dict_, "types");
     const wordList names(types.toc());
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'types' must hold one clump type at least"
+            << exit(FatalIOError);
+    }
     types_.setSize(names.size());
 
     forAll(names, i)
     {
-        types_.set(i, new clumpType(names[i], types.subDict(names[i])));
+        types_.set(i, new clumpType(names[i], getDict(types, names[i])));
         typeIds_.insert(names[i], i);
     }
 }
@@ -163,10 +190,10 @@ void Foam::deformableCloud::readLoads()
         return;
     }
 
-    const dictionary& loads = dict_.subDict("loads");
+    const dictionary& loads = getDict(dict_, "loads");
     for (const word& name : loads.toc())
     {
-        const dictionary& d = loads.subDict(name);
+        const dictionary& d = getDict(loads, name);
         loads_.append(selectModel<load>(d));
 
         const word& on = loads_.last().clumpType();
@@ -175,7 +202,7 @@ void Foam::deformableCloud::readLoads()
             FatalIOErrorInLookup(d, "clumpType", on, typeIds_)
                 << exit(FatalIOError);
         }
-        loads_.last().check(types_[typeIds_[on]].size());
+        loads_.last().check(d, types_[typeIds_[on]].size());
     }
 }
 
@@ -194,9 +221,48 @@ bool Foam::deformableCloud::inMesh(const point& p) const
 }
 
 
+void Foam::deformableCloud::restart()
+{
+    clumpParcel::readFields(*this);
+
+    // A number stands for one clump, on all processors
+    List<labelPairList> ids(Pstream::nProcs());
+    labelPairList& mine = ids[Pstream::myProcNo()];
+    for (const clumpParcel& p : *this)
+    {
+        mine.append(labelPair(p.origProc(), p.origId()));
+    }
+    Pstream::gatherList(ids);
+
+    HashSet<labelPair, labelPair::Hash<>> seen;
+    for (const labelPairList& part : ids)
+    {
+        for (const labelPair& id : part)
+        {
+            if (!seen.insert(id))
+            {
+                FatalErrorInFunction
+                    << fieldIOobject("origId", IOobject::NO_READ).objectPath()
+                    << ": two clumps have the number " << id.second()
+                    << " (origProcId " << id.first() << ')'
+                    << exit(FatalError);
+            }
+        }
+    }
+}
+
+
 void Foam::deformableCloud::place()
 {
-    const dictionary& dict = dict_.subDict("placement");
+    const IOobject written(fieldIOobject("typeId", IOobject::NO_READ));
+    if (returnReduce(isFile(written.objectPath()), orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << written.path() << " holds clumps, but their places, coordinates, "
+            << "are missing" << exit(FatalError);
+    }
+
+    const dictionary& dict = getDict(dict_, "placement");
     const placement start(dict, types_, typeIds_);
 
     // Bounds of the processors' cell trees are built together
@@ -249,6 +315,42 @@ void Foam::deformableCloud::place()
 
     nClumps_ = start.clumps().size();
     Info<< "Placed " << nClumps_ << " clumps" << endl;
+}
+
+
+void Foam::deformableCloud::checkOverlaps(const dictionary& dict) const
+{
+    if (!contactModel_->active() || !effects_.active("contact"))
+    {
+        return;
+    }
+
+    const UList<clumpImage>& images = ghosts_.images();
+
+    sphereGrid::forEachContact
+    (
+        images, ghosts_.nOwn(), types_,
+        [&](const label a, const label i, const label b, const label j)
+        {
+            const clumpType& ta = types_[images[a].typeId];
+            const clumpType& tb = types_[images[b].typeId];
+
+            if
+            (
+                mag(images[a].x[i] - images[b].x[j])
+              < max(ta.radii()[i], tb.radii()[j])
+            )
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry position: sphere " << i << " of clump "
+                    << images[a].id.second() << " of type " << ta.name()
+                    << " and sphere " << j << " of clump "
+                    << images[b].id.second() << " of type " << tb.name()
+                    << " lie inside each other at " << images[a].x[i]
+                    << exit(FatalIOError);
+            }
+        }
+    );
 }
 
 

@@ -52,30 +52,56 @@ Foam::label Foam::placement::typeId
 }
 
 
+void Foam::placement::checkNumber
+(
+    const dictionary& dict,
+    const word& entry,
+    const scalar number
+)
+{
+    if (!(number >= 1 && number <= 1e7))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << entry << "' asks for " << number
+            << " clumps, it must be 1 to 10 million" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::placement::readList(const dictionary& dict)
 {
+    checkEntries(dict, {"type", "clumps"});
+
     for (const dictionary& d : dict.get<List<dictionary>>("clumps"))
     {
+        checkEntries
+        (
+            d,
+            {
+                "type", "position", "axis", "angle", "velocity",
+                "angularVelocity"
+            }
+        );
         const label id = typeId(d, "type");
 
         quaternion turn(quaternion::I);
         if (d.found("axis") || d.found("angle"))
         {
-            const vector axis(d.get<vector>("axis"));
+            const vector axis(getFinite<vector>(d, "axis"));
             if (mag(axis) < VSMALL)
             {
                 FatalIOErrorInFunction(d)
                     << "Entry axis must not be zero" << exit(FatalIOError);
             }
-            turn = rotation(degToRad(d.get<scalar>("angle"))*axis/mag(axis));
+            turn = rotation(degToRad(getFinite<scalar>(d, "angle"))*axis/mag(axis));
         }
 
-        placed p{id, d.get<point>("position"), clumpState(types_[id], turn)};
+        placed p{id, getFinite<point>(d, "position"), clumpState(types_[id], turn)};
         p.state.setRigidMotion
         (
             types_[id],
-            d.getOrDefault<vector>("velocity", Zero),
-            d.getOrDefault<vector>("angularVelocity", Zero)
+            getFiniteOrDefault<vector>(d, "velocity", Zero),
+            getFiniteOrDefault<vector>(d, "angularVelocity", Zero)
         );
         clumps_.append(p);
     }
@@ -84,15 +110,22 @@ void Foam::placement::readList(const dictionary& dict)
 
 void Foam::placement::makeLattice(const dictionary& dict)
 {
+    checkEntries(dict, {"type", "clumpType", "origin", "spacing", "number"});
+
     const label id = typeId(dict, "clumpType");
-    const point origin(dict.get<point>("origin"));
-    const vector spacing(dict.get<vector>("spacing"));
-    const labelVector number
+    const point origin(getFinite<point>(dict, "origin"));
+    const vector spacing(getFinite<vector>(dict, "spacing"));
+    const labelVector number(dict.get<labelVector>("number"));
+
+    if (cmptMin(number) < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'number' is " << number << ", every component must be "
+            << "above 0" << exit(FatalIOError);
+    }
+    checkNumber
     (
-        dict.getCheck<labelVector>
-        (
-            "number", [](const labelVector& n){ return cmptMin(n) > 0; }
-        )
+        dict, "number", scalar(number.x())*number.y()*number.z()
     );
 
     for (label k = 0; k < number.z(); ++k)
@@ -118,17 +151,33 @@ void Foam::placement::makeLattice(const dictionary& dict)
 
 void Foam::placement::packRandomly(const dictionary& dict)
 {
+    checkEntries
+    (
+        dict,
+        {
+            "type", "clumpType", "haematocrit", "min", "max", "periodic", "seed"
+        }
+    );
+
     const label id = typeId(dict, "clumpType");
     const clumpType& type = types_[id];
-    const boundBox box(dict.get<point>("min"), dict.get<point>("max"));
-    const labelVector periodic(dict.get<labelVector>("periodic"));
-    const scalar haematocrit = dict.getCheck<scalar>
+    const boundBox box
     (
-        "haematocrit", [](scalar h){ return h > 0 && h < 1; }
+        getFinite<point>(dict, "min"), getFinite<point>(dict, "max")
     );
+    if (cmptMin(box.span()) <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'max' is " << box.max() << ", it must be above min, "
+            << box.min() << exit(FatalIOError);
+    }
+    const labelVector periodic(dict.get<labelVector>("periodic"));
+    const scalar haematocrit = getBetween(dict, "haematocrit", 0, 1);
     Random random(dict.get<label>("seed"));
 
-    const label wanted = round(haematocrit*box.volume()/type.volume());
+    const scalar number = std::round(haematocrit*box.volume()/type.volume());
+    checkNumber(dict, "haematocrit", number);
+    const label wanted(number);
     const vector span(box.span());
 
     const auto nearest = [&](vector d)

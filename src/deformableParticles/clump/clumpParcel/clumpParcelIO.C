@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "listsFile.H"
+#include "sigFpe.H"
 
 Foam::clumpParcel::clumpParcel
 (
@@ -64,19 +66,102 @@ const listField listFields[] =
     {"bondMoments", &clumpState::m}
 };
 
-template<class Type, class Setter>
-void readLists(Cloud<clumpParcel>& c, const word& name, const Setter& set)
+//- Fatal, naming the file and the clump
+void refuse
+(
+    const Cloud<clumpParcel>& c,
+    const word& name,
+    const clumpParcel& p,
+    const string& what
+)
 {
-    CompactIOField<Field<Type>, Type> lists
+    FatalErrorInFunction
+        << c.fieldIOobject(name, IOobject::NO_READ).objectPath()
+        << ": clump " << p.origId() << ' ' << what.c_str() << exit(FatalError);
+}
+
+//- Fatal when a parcel is not in the tetrahedron of the mesh it names:
+//  OpenFOAM reads it as it is and looks there at once
+void checkPlace(const Cloud<clumpParcel>& c, const label index, const particle& p)
+{
+    const polyMesh& mesh = p.mesh();
+    const label celli = p.cell();
+    const label facei = p.tetFace();
+    const barycentric& x = p.coordinates();
+
+    const bool inside =
+        celli >= 0 && celli < mesh.nCells()
+     && mesh.cells()[celli].found(facei)
+     && p.tetPt() > 0 && p.tetPt() < mesh.faces()[facei].size() - 1
+     && physical(x) && cmptMin(x) > -1e-3 && mag(cmptSum(x) - 1) < 1e-3;
+
+    if (!inside)
+    {
+        FatalErrorInFunction
+            << c.fieldIOobject("coordinates", IOobject::NO_READ).objectPath()
+            << ": clump " << index << " is in no cell of the mesh"
+            << exit(FatalError);
+    }
+}
+
+//- Fatal when a file has not one entry per clump
+void checkNumber
+(
+    const Cloud<clumpParcel>& c, const regIOobject& file, const label number
+)
+{
+    if (number != c.size())
+    {
+        FatalErrorInFunction
+            << file.objectPath() << ": " << number << " entries for "
+            << c.size() << " clumps" << exit(FatalError);
+    }
+}
+
+template<class Type>
+Field<Type> readValues(const Cloud<clumpParcel>& c, const word& name)
+{
+    const IOField<Type> field
     (
         c.fieldIOobject(name, IOobject::MUST_READ), c.size() > 0
     );
-    c.checkFieldFieldIOobject(c, lists);
+    checkNumber(c, field, field.size());
+    return field;
+}
+
+//- Lists as long as the clump's own, which they replace
+template<class Type, class Getter>
+void readLists(Cloud<clumpParcel>& c, const word& name, const Getter& own)
+{
+    const listsFile<Type> file
+    (
+        c.fieldIOobject(name, IOobject::MUST_READ), c.size() > 0
+    );
+    checkNumber(c, file, file.lists().size());
 
     label i = 0;
     for (clumpParcel& p : c)
     {
-        set(p, lists[i++]);
+        const Field<Type>& list = file.lists()[i++];
+        Field<Type>& field = own(p);
+
+        if (list.size() != field.size())
+        {
+            refuse
+            (
+                c, name, p,
+                "has " + Foam::name(list.size()) + " values, its type "
+              + Foam::name(field.size())
+            );
+        }
+        for (const Type& value : list)
+        {
+            if (!physical(value))
+            {
+                refuse(c, name, p, "has a value beyond every physical quantity");
+            }
+        }
+        field = list;
     }
 }
 
@@ -102,73 +187,110 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 
 void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
 {
+    // What is too large for the machine becomes infinite, and is refused here
+    const sigFpe::ignore overflow;
+
+    // Before OpenFOAM reads and takes them as they are
+    label i = 0;
+    for (const clumpParcel& p : c)
+    {
+        checkPlace(c, i++, p);
+    }
+    readValues<label>(c, "origProcId");
+    readValues<label>(c, "origId");
+
     particle::readFields(c);
 
-    IOField<label> typeIds
-    (
-        c.fieldIOobject("typeId", IOobject::MUST_READ), c.size() > 0
-    );
-    c.checkFieldIOobject(c, typeIds);
-
-    IOField<scalar> exchange
-    (
-        c.fieldIOobject("exchangeFactor", IOobject::MUST_READ), c.size() > 0
-    );
-    c.checkFieldIOobject(c, exchange);
-
-    label i = 0;
+    // At rest first: the lists of a type have their lengths
+    const auto& cloud = dynamic_cast<const deformableCloud&>(c);
+    const labelField typeIds(readValues<label>(c, "typeId"));
+    const scalarField exchange(readValues<scalar>(c, "exchangeFactor"));
+    i = 0;
     for (clumpParcel& p : c)
     {
         p.typeId_ = typeIds[i];
+        if (p.typeId_ < 0 || p.typeId_ >= cloud.types().size())
+        {
+            refuse
+            (
+                c, "typeId", p,
+                "has the type " + Foam::name(p.typeId_) + ", the types are 0 to "
+              + Foam::name(cloud.types().size() - 1)
+            );
+        }
+        p.state_ = clumpState(cloud.type(p));
         p.state_.exchange = exchange[i++];
+        if (!(physical(p.state_.exchange) && p.state_.exchange >= 1))
+        {
+            refuse(c, "exchangeFactor", p, "has a factor that is not 1 or above");
+        }
+        p.fluidForces_ = vectorField(p.state_.x.size(), Zero);
+        p.fluidTorques_ = p.fluidForces_;
     }
 
     readLists<vector>
     (
-        c, "centres",
-        [](clumpParcel& p, const vectorField& f) { p.state_.x = f; }
+        c, "centres", [](clumpParcel& p) -> vectorField& { return p.state_.x; }
     );
     for (const listField& field : listFields)
     {
         readLists<vector>
         (
             c, field.name,
-            [&](clumpParcel& p, const vectorField& f)
+            [&](clumpParcel& p) -> vectorField&
             {
-                p.state_.*(field.member) = f;
+                return p.state_.*(field.member);
             }
         );
     }
     readLists<vector>
     (
         c, "hydrodynamicForces",
-        [](clumpParcel& p, const vectorField& f) { p.fluidForces_ = f; }
+        [](clumpParcel& p) -> vectorField& { return p.fluidForces_; }
     );
     readLists<vector>
     (
         c, "hydrodynamicTorques",
-        [](clumpParcel& p, const vectorField& f) { p.fluidTorques_ = f; }
+        [](clumpParcel& p) -> vectorField& { return p.fluidTorques_; }
     );
     readLists<scalar>
     (
         c, "brokenBonds",
-        [](clumpParcel& p, const scalarField& f) { p.state_.broken = f; }
+        [](clumpParcel& p) -> scalarField& { return p.state_.broken; }
     );
+
+    // Four numbers a sphere
+    List<scalarField> quaternions(c.size());
+    i = 0;
+    for (const clumpParcel& p : c)
+    {
+        quaternions[i++].setSize(4*p.state_.q.size());
+    }
+    i = 0;
     readLists<scalar>
     (
         c, "orientations",
-        [](clumpParcel& p, const scalarField& f)
+        [&](clumpParcel&) -> scalarField& { return quaternions[i++]; }
+    );
+    i = 0;
+    for (clumpParcel& p : c)
+    {
+        const scalarField& f = quaternions[i++];
+        forAll(p.state_.q, k)
         {
-            p.state_.q.setSize(f.size()/4);
-            forAll(p.state_.q, k)
+            p.state_.q[k] = quaternion
+            (
+                f[4*k], vector(f[4*k + 1], f[4*k + 2], f[4*k + 3])
+            );
+            if (mag(mag(p.state_.q[k]) - 1) > 1e-3)
             {
-                p.state_.q[k] = quaternion
+                refuse
                 (
-                    f[4*k], vector(f[4*k + 1], f[4*k + 2], f[4*k + 3])
+                    c, "orientations", p, "has one that is no rotation"
                 );
             }
         }
-    );
+    }
 }
 
 

@@ -14,7 +14,16 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     density_(getPositive(dict, "density")),
     fixed_(false)
 {
-    const auto geometry(clumpShapes::shape::New(dict.subDict("shape")));
+    checkEntries
+    (
+        dict,
+        {
+            "shape", "density", "massModel", "motion", "bondModel",
+            "dampingModel", "conservationModel"
+        }
+    );
+
+    const auto geometry(clumpShapes::shape::New(getDict(dict, "shape")));
     centres_ = geometry->centres();
     radii_ = geometry->radii();
 
@@ -39,7 +48,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     {
         conservationModel_ = selectModel<conservationModel>
         (
-            dict.subDict("conservationModel"), centres_
+            getDict(dict, "conservationModel"), centres_
         );
     }
     else
@@ -100,8 +109,8 @@ void Foam::clumpType::setBonds
         return;
     }
 
-    bondModel_ = selectModel<bondModel>(dict.subDict("bondModel"));
-    dampingModel_ = selectModel<dampingModel>(dict.subDict("dampingModel"));
+    bondModel_ = selectModel<bondModel>(getDict(dict, "bondModel"));
+    dampingModel_ = selectModel<dampingModel>(getDict(dict, "dampingModel"));
 
     bonds_.setSize(pairs.size());
 

@@ -24,6 +24,8 @@ Foam::conservationModels::enclosedArea::enclosedArea
     areaModulus_(getPositive(dict, "areaModulus")),
     area0_(0)
 {
+    checkEntries(dict, {"type", "areaModulus"});
+
     vectorField grad(centres.size());
     area0_ = deviation(centres, grad);
 

@@ -24,6 +24,8 @@ Foam::conservationModels::enclosedVolume::enclosedVolume
     volumeModulus_(getPositive(dict, "volumeModulus")),
     volume0_(0)
 {
+    checkEntries(dict, {"type", "volumeModulus"});
+
     findTriangles(dict, centres);
     vectorField grad(centres.size());
     volume0_ = deviation(centres, grad);

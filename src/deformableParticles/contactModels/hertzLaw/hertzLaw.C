@@ -33,10 +33,9 @@ Foam::hertzLaw::hertzLaw(const dictionary& dict)
     modulus_(getPositive(dict, "reducedModulus")),
     damping_(0)
 {
-    const scalar e = dict.getCheck<scalar>
-    (
-        "restitution", [](scalar x){ return x >= 0.01 && x <= 1; }
-    );
+    checkEntries(dict, {"type", "reducedModulus", "restitution"});
+
+    const scalar e = getBetween(dict, "restitution", 0.01, 1);
 
     if (e < 1)
     {

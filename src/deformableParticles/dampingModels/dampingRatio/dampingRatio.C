@@ -18,7 +18,9 @@ namespace dampingModels
 Foam::dampingModels::dampingRatio::dampingRatio(const dictionary& dict)
 :
     beta_(getNonNegative(dict, "beta"))
-{}
+{
+    checkEntries(dict, {"type", "beta"});
+}
 
 
 Foam::bondCoefficients Foam::dampingModels::dampingRatio::coefficients

@@ -17,6 +17,8 @@ namespace dampingModels
 
 Foam::dampingModels::kelvinVoigt::kelvinVoigt(const dictionary& dict)
 {
+    checkEntries(dict, {"type", "timeConstant", "timeConstants"});
+
     if (dict.found("timeConstants"))
     {
         if (dict.found("timeConstant"))
@@ -25,7 +27,8 @@ Foam::dampingModels::kelvinVoigt::kelvinVoigt(const dictionary& dict)
                 << "Give either timeConstant or timeConstants"
                 << exit(FatalIOError);
         }
-        const dictionary& d = dict.subDict("timeConstants");
+        const dictionary& d = getDict(dict, "timeConstants");
+        checkEntries(d, {"normal", "tangential", "bending", "torsional"});
         tau_.normal = getPositive(d, "normal");
         tau_.tangential = getPositive(d, "tangential");
         tau_.bending = getPositive(d, "bending");

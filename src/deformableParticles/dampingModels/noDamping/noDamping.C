@@ -15,8 +15,10 @@ namespace dampingModels
 }
 
 
-Foam::dampingModels::noDamping::noDamping(const dictionary&)
-{}
+Foam::dampingModels::noDamping::noDamping(const dictionary& dict)
+{
+    checkEntries(dict, {"type"});
+}
 
 
 Foam::bondCoefficients Foam::dampingModels::noDamping::coefficients

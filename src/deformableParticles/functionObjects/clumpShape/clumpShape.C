@@ -92,10 +92,7 @@ Foam::functionObjects::clumpShape::clumpShape
 
 bool Foam::functionObjects::clumpShape::read(const dictionary& dict)
 {
-    marked_ = dict.getCheckOrDefault<label>
-    (
-        "marked", 0, [](const label i){ return i >= 0; }
-    );
+    marked_ = dict.found("marked") ? getNumber(dict, "marked", 0, 9999) : 0;
     return clumpTable::read(dict);
 }
 

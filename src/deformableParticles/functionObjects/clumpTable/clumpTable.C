@@ -29,13 +29,13 @@ Foam::vector Foam::functionObjects::clumpTable::direction
     const vector& value
 )
 {
-    return normalised
-    (
-        dict.getCheckOrDefault<vector>
-        (
-            key, value, [](const vector& v){ return mag(v) > 0; }
-        )
-    );
+    const vector v(getFiniteOrDefault<vector>(dict, key, value));
+    if (mag(v) < VSMALL)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' must not be zero" << exit(FatalIOError);
+    }
+    return normalised(v);
 }
 
 
@@ -57,7 +57,7 @@ void Foam::functionObjects::clumpTable::start(const dictionary& dict)
 
 bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
 {
-    cloudName_ = dict.getOrDefault<word>("cloud", "clumps");
+    cloudName_ = deformableCloud::find(mesh_, dict).name();
     flow_ = direction(dict, "flow", vector(1, 0, 0));
     gradient_ = direction(dict, "gradient", vector(0, 1, 0));
     if (mag(flow_ & gradient_) > 1e-6)

@@ -41,7 +41,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
 
 bool Foam::functionObjects::momentumBalance::read(const dictionary& dict)
 {
-    cloudName_ = dict.getOrDefault<word>("cloud", "clumps");
+    cloudName_ = deformableCloud::find(mesh_, dict).name();
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }
 

@@ -134,7 +134,7 @@ Foam::functionObjects::vtkClumps::vtkClumps
 
 bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
 {
-    cloudName_ = dict.getOrDefault<word>("cloud", "clumps");
+    cloudName_ = deformableCloud::find(mesh_, dict).name();
     return fvMeshFunctionObject::read(dict);
 }
 

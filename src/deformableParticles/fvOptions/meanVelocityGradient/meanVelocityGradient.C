@@ -12,6 +12,8 @@
 #include "zeroGradientFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "IFstream.H"
+#include "FlatOutput.H"
+#include "entries.H"
 
 namespace Foam
 {
@@ -32,7 +34,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
 )
 :
     cellSetOption(sourceName, modelType, dict, mesh),
-    Ubar_(coeffs_.get<vector>("Ubar")),
+    Ubar_(Zero),
     direction_(Zero),
     gradient_(0),
     response_(0),
@@ -42,13 +44,19 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     coeffs_.readEntry("fields", fieldNames_);
     applied_.setSize(fieldNames_.size(), false);
 
-    if (fieldNames_.size() != 1 || mag(Ubar_) < VSMALL)
+    if
+    (
+        fieldNames_.size() != 1
+     || !mesh.foundObject<volVectorField>(fieldNames_[0])
+    )
     {
         FatalIOErrorInFunction(coeffs_)
-            << "Entry fields must name one field and Ubar must not be zero"
+            << "Entry 'fields' is " << flatOutput(fieldNames_)
+            << ", it must name one of "
+            << flatOutput(mesh.sortedNames<volVectorField>())
             << exit(FatalIOError);
     }
-    direction_ = Ubar_/mag(Ubar_);
+    readMeanVelocity();
 
     IFstream saved
     (
@@ -59,6 +67,18 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
         gradient_ = dictionary(saved).get<scalar>("gradient");
         fresh_ = false;
     }
+}
+
+
+void Foam::fv::meanVelocityGradient::readMeanVelocity()
+{
+    Ubar_ = getFinite<vector>(coeffs_, "Ubar");
+    if (mag(Ubar_) < VSMALL)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "Entry 'Ubar' must not be zero" << exit(FatalIOError);
+    }
+    direction_ = Ubar_/mag(Ubar_);
 }
 
 
@@ -169,8 +189,7 @@ bool Foam::fv::meanVelocityGradient::read(const dictionary& dict)
 {
     if (cellSetOption::read(dict))
     {
-        coeffs_.readEntry("Ubar", Ubar_);
-        direction_ = Ubar_/mag(Ubar_);
+        readMeanVelocity();
         return true;
     }
     return false;

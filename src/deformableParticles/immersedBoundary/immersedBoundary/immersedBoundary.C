@@ -19,12 +19,12 @@ Foam::immersedBoundary::immersedBoundary
     types_(types),
     solidFractionModel_
     (
-        selectModel<solidFractionModel>(dict.subDict("solidFraction"))
+        selectModel<solidFractionModel>(getDict(dict, "solidFraction"))
     ),
-    forcingModel_(selectModel<forcingModel>(dict.subDict("forcing"))),
+    forcingModel_(selectModel<forcingModel>(getDict(dict, "forcing"))),
     forceModel_
     (
-        selectModel<hydrodynamicForceModel>(dict.subDict("hydrodynamicForce"))
+        selectModel<hydrodynamicForceModel>(getDict(dict, "hydrodynamicForce"))
     ),
     dilates_(dict.get<bool>("interiorDilation")),
     solidFraction_
@@ -60,6 +60,11 @@ Foam::immersedBoundary::immersedBoundary
     closed_(false),
     meshChanged_(false)
 {
+    checkEntries
+    (
+        dict,
+        {"solidFraction", "forcing", "hydrodynamicForce", "interiorDilation"}
+    );
     allocate();
 }
 

@@ -18,11 +18,10 @@ namespace integrators
 Foam::integrators::implicitEuler::implicitEuler(const dictionary& dict)
 :
     tolerance_(getPositive(dict, "tolerance")),
-    maxIterations_
-    (
-        dict.getCheck<label>("maxIterations", [](label x){ return x > 0; })
-    )
-{}
+    maxIterations_(getNumber(dict, "maxIterations", 1, 100000))
+{
+    checkEntries(dict, {"type", "tolerance", "maxIterations"});
+}
 
 
 void Foam::integrators::implicitEuler::advance

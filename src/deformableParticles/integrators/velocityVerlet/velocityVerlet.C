@@ -18,14 +18,10 @@ namespace integrators
 
 Foam::integrators::velocityVerlet::velocityVerlet(const dictionary& dict)
 :
-    stepFraction_
-    (
-        dict.getCheck<scalar>
-        (
-            "stepFraction", [](scalar x){ return x > 0 && x <= 1; }
-        )
-    )
-{}
+    stepFraction_(getBetween(dict, "stepFraction", 1e-6, 1))
+{
+    checkEntries(dict, {"type", "stepFraction"});
+}
 
 
 Foam::scalar Foam::integrators::velocityVerlet::stableStep

@@ -14,6 +14,7 @@ namespace Foam
 
 void Foam::load::checkSpheres
 (
+    const dictionary& dict,
     const word& entry,
     const labelUList& spheres,
     const label nSpheres
@@ -21,9 +22,9 @@ void Foam::load::checkSpheres
 {
     if (min(spheres) < 0 || max(spheres) >= nSpheres)
     {
-        FatalErrorInFunction
-            << "Load " << type() << ": entry " << entry << ' ' << spheres
-            << " must name spheres 0 to " << nSpheres - 1
-            << " of clump type " << clumpType_ << exit(FatalError);
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << entry << "' is " << spheres
+            << ", it must name spheres 0 to " << nSpheres - 1
+            << " of clump type " << clumpType_ << exit(FatalIOError);
     }
 }

@@ -17,8 +17,8 @@ namespace loads
 
 Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
 :
-    load(dict),
-    direction_(dict.get<vector>("direction")),
+    load(dict, {"direction", "plus", "minus", "force", "forceCoeffs"}),
+    direction_(getFinite<vector>(dict, "direction")),
     plus_(dict.get<labelList>("plus")),
     minus_(dict.get<labelList>("minus")),
     force_(Function1<scalar>::New("force", dict))
@@ -33,10 +33,14 @@ Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
 }
 
 
-void Foam::loads::oppositeForces::check(const label nSpheres) const
+void Foam::loads::oppositeForces::check
+(
+    const dictionary& dict,
+    const label nSpheres
+) const
 {
-    checkSpheres("plus", plus_, nSpheres);
-    checkSpheres("minus", minus_, nSpheres);
+    checkSpheres(dict, "plus", plus_, nSpheres);
+    checkSpheres(dict, "minus", minus_, nSpheres);
 }
 
 

@@ -17,10 +17,10 @@ namespace loads
 
 Foam::loads::pointForces::pointForces(const dictionary& dict)
 :
-    load(dict),
+    load(dict, {"spheres", "forces", "torques", "factor", "factorCoeffs"}),
     spheres_(dict.get<labelList>("spheres")),
-    forces_(dict.get<List<vector>>("forces")),
-    torques_(dict.get<List<vector>>("torques")),
+    forces_(getFiniteList<vector>(dict, "forces")),
+    torques_(getFiniteList<vector>(dict, "torques")),
     factor_(Function1<scalar>::New("factor", dict))
 {
     if
@@ -39,9 +39,13 @@ Foam::loads::pointForces::pointForces(const dictionary& dict)
 }
 
 
-void Foam::loads::pointForces::check(const label nSpheres) const
+void Foam::loads::pointForces::check
+(
+    const dictionary& dict,
+    const label nSpheres
+) const
 {
-    checkSpheres("spheres", spheres_, nSpheres);
+    checkSpheres(dict, "spheres", spheres_, nSpheres);
 }
 
 

@@ -17,16 +17,20 @@ namespace loads
 
 Foam::loads::tether::tether(const dictionary& dict)
 :
-    load(dict),
+    load(dict, {"sphere", "anchor", "stiffness"}),
     sphere_(dict.get<label>("sphere")),
-    anchor_(dict.get<point>("anchor")),
+    anchor_(getFinite<point>(dict, "anchor")),
     stiffness_(getPositive(dict, "stiffness"))
 {}
 
 
-void Foam::loads::tether::check(const label nSpheres) const
+void Foam::loads::tether::check
+(
+    const dictionary& dict,
+    const label nSpheres
+) const
 {
-    checkSpheres("sphere", labelList(1, sphere_), nSpheres);
+    checkSpheres(dict, "sphere", labelList(1, sphere_), nSpheres);
 }
 
 

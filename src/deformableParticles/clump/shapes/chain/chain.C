@@ -17,8 +17,9 @@ namespace clumpShapes
 
 Foam::clumpShapes::chain::chain(const dictionary& dict)
 {
-    const label n =
-        dict.getCheck<label>("nSpheres", [](label x){ return x >= 1; });
+    checkEntries(dict, {"type", "nSpheres", "spacing", "sphereRadius"});
+
+    const label n = getNumber(dict, "nSpheres", 1, maxSpheres);
     const scalar r = getPositive(dict, "sphereRadius");
     const scalar spacing = n > 1 ? getPositive(dict, "spacing") : 0;
 

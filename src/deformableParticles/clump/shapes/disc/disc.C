@@ -18,7 +18,7 @@ namespace clumpShapes
 
 Foam::clumpShapes::disc::disc(const dictionary& dict)
 {
-    ring rim(dict);
+    const ring rim(dict, {"centreRadius"});
     const label n = rim.centres().size();
 
     centres_ = rim.centres();

@@ -17,7 +17,9 @@ namespace clumpShapes
 
 Foam::clumpShapes::fromFile::fromFile(const dictionary& dict)
 {
-    dict.readEntry("centres", centres_);
-    dict.readEntry("radii", radii_);
+    checkEntries(dict, {"type", "centres", "radii", "bonds"});
+
+    centres_ = getFiniteList<point>(dict, "centres");
+    radii_ = getFiniteList<scalar>(dict, "radii");
     dict.readEntry("bonds", bonds_);
 }

@@ -16,10 +16,20 @@ namespace clumpShapes
 }
 
 
-Foam::clumpShapes::ring::ring(const dictionary& dict)
+Foam::clumpShapes::ring::ring
+(
+    const dictionary& dict,
+    const wordList& derived
+)
 {
-    const label n =
-        dict.getCheck<label>("nSpheres", [](label x){ return x >= 3; });
+    checkEntries
+    (
+        dict,
+        {"type", "nSpheres", "ringRadius", "diameter", "sphereRadius"},
+        derived
+    );
+
+    const label n = getNumber(dict, "nSpheres", 3, maxSpheres);
     const scalar r = getPositive(dict, "sphereRadius");
     const scalar R = radius(dict, r);
 
@@ -52,8 +62,7 @@ Foam::scalar Foam::clumpShapes::ring::radius
             << "Give either ringRadius or diameter" << exit(FatalIOError);
     }
 
-    return 0.5*dict.getCheck<scalar>
-    (
-        "diameter", [&](const scalar D){ return D > 2*sphereRadius; }
-    ) - sphereRadius;
+    return
+        0.5*getBetween(dict, "diameter", 2*sphereRadius, largestEntry)
+      - sphereRadius;
 }

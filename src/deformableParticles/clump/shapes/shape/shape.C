@@ -41,7 +41,7 @@ void Foam::clumpShapes::shape::check(const dictionary& dict) const
 
     forAll(radii_, i)
     {
-        if (radii_[i] <= 0)
+        if (radii_[i] < smallestEntry)
         {
             FatalIOErrorInFunction(dict)
                 << "The radius of sphere " << i << " is " << radii_[i]
@@ -64,7 +64,8 @@ void Foam::clumpShapes::shape::check(const dictionary& dict) const
                 << ", but the spheres are 0 to " << n - 1
                 << " and a bond joins two of them" << exit(FatalIOError);
         }
-        if (!seen.insert(pair))
+        const bool forwards = pair.first() < pair.second();
+        if (!seen.insert(forwards ? pair : reverse(pair)))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry bonds: spheres " << pair << " are bonded twice"

@@ -17,10 +17,15 @@ namespace clumpShapes
 
 Foam::clumpShapes::shell::shell(const dictionary& dict)
 {
-    const label n = dict.getCheck<label>
-    (
-        "nSpheres", [](label x){ return x == 12 || x == 42; }
-    );
+    checkEntries(dict, {"type", "nSpheres", "shellRadius", "sphereRadius"});
+
+    const label n = dict.get<label>("nSpheres");
+    if (n != 12 && n != 42)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'nSpheres' is " << n << ", it must be 12 or 42"
+            << exit(FatalIOError);
+    }
     const scalar R = getPositive(dict, "shellRadius");
 
     // Corners of the icosahedron: cyclic permutations of (0, +-1, +-golden)

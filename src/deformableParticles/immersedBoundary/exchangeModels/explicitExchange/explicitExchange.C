@@ -15,8 +15,10 @@ namespace exchangeModels
 }
 
 
-Foam::exchangeModels::explicitExchange::explicitExchange(const dictionary&)
-{}
+Foam::exchangeModels::explicitExchange::explicitExchange(const dictionary& dict)
+{
+    checkEntries(dict, {"type"});
+}
 
 
 void Foam::exchangeModels::explicitExchange::coefficients

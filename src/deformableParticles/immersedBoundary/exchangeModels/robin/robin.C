@@ -21,7 +21,9 @@ namespace exchangeModels
 Foam::exchangeModels::robin::robin(const dictionary& dict)
 :
     margin_(getNonNegative(dict, "margin"))
-{}
+{
+    checkEntries(dict, {"type", "margin"});
+}
 
 
 void Foam::exchangeModels::robin::coefficients

@@ -18,7 +18,9 @@ namespace forcingModels
 Foam::forcingModels::continuousForcing::continuousForcing(const dictionary& dict)
 :
     maxDiffusion_(getPositiveOrDefault(dict, "maxDiffusion", GREAT))
-{}
+{
+    checkEntries(dict, {"type", "maxDiffusion"});
+}
 
 
 Foam::scalar Foam::forcingModels::continuousForcing::strength

@@ -18,15 +18,15 @@ namespace forcingModels
 Foam::forcingModels::cutCell::cutCell(const dictionary& dict)
 :
     cut_(getPositiveOrDefault(dict, "cutCoefficient", 23)),
-    curvature_
-    (
-        dict.getCheckOrDefault<scalar>
-        (
-            "curvatureCoefficient", 4.3, [](scalar x){ return x >= 0; }
-        )
-    ),
+    curvature_(getNonNegativeOrDefault(dict, "curvatureCoefficient", 4.3)),
     full_(getPositiveOrDefault(dict, "fullCoefficient", 2400))
-{}
+{
+    checkEntries
+    (
+        dict,
+        {"type", "cutCoefficient", "curvatureCoefficient", "fullCoefficient"}
+    );
+}
 
 
 Foam::scalar Foam::forcingModels::cutCell::strength(const cell& c) const

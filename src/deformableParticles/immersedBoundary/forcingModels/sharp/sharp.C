@@ -17,15 +17,11 @@ namespace forcingModels
 
 Foam::forcingModels::sharp::sharp(const dictionary& dict)
 :
-    displacement_
-    (
-        dict.getCheckOrDefault<scalar>
-        (
-            "displacement", 1.0/6, [](scalar x){ return x >= 0; }
-        )
-    ),
+    displacement_(getNonNegativeOrDefault(dict, "displacement", 1.0/6)),
     full_(getPositiveOrDefault(dict, "fullCoefficient", 600))
-{}
+{
+    checkEntries(dict, {"type", "displacement", "fullCoefficient"});
+}
 
 
 Foam::scalar Foam::forcingModels::sharp::strength(const cell& c) const

@@ -15,8 +15,10 @@ namespace solidFractionModels
 }
 
 
-Foam::solidFractionModels::centreInside::centreInside(const dictionary&)
-{}
+Foam::solidFractionModels::centreInside::centreInside(const dictionary& dict)
+{
+    checkEntries(dict, {"type"});
+}
 
 
 Foam::scalar Foam::solidFractionModels::centreInside::fraction

@@ -16,8 +16,10 @@ namespace solidFractionModels
 }
 
 
-Foam::solidFractionModels::fullCells::fullCells(const dictionary&)
-{}
+Foam::solidFractionModels::fullCells::fullCells(const dictionary& dict)
+{
+    checkEntries(dict, {"type"});
+}
 
 
 Foam::scalar Foam::solidFractionModels::fullCells::fraction

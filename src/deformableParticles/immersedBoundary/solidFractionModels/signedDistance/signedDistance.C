@@ -16,8 +16,10 @@ namespace solidFractionModels
 }
 
 
-Foam::solidFractionModels::signedDistance::signedDistance(const dictionary&)
-{}
+Foam::solidFractionModels::signedDistance::signedDistance(const dictionary& dict)
+{
+    checkEntries(dict, {"type"});
+}
 
 
 Foam::scalar Foam::solidFractionModels::signedDistance::fraction

@@ -88,8 +88,10 @@ scalar insideFraction(const corner* const c[4], const UList<scalar>& radii)
 }
 
 
-Foam::solidFractionModels::tetClipping::tetClipping(const dictionary&)
-{}
+Foam::solidFractionModels::tetClipping::tetClipping(const dictionary& dict)
+{
+    checkEntries(dict, {"type"});
+}
 
 
 Foam::scalar Foam::solidFractionModels::tetClipping::fraction

@@ -29,12 +29,13 @@ def row(folder):
         "end_s": force["bead"][0], "bead_pN": 1e12*force["bead"][1], "seconds_per_step": seconds_per_step(folder),
     }
     if "healthy" in force:
-        x, a, clump = spheres(folder)
         result |= {
             "cell_pN": 1e12*force["healthy"][1],
-            "reference_pN": reference(x, a, clump == 1, result["velocity_um_s"])[0],
             "axial_um": 1e6*shape["healthy"][4], "transverse_um": 1e6*shape["healthy"][5],
         }
+    if result["settings"] == "ours":
+        x, a, clump = spheres(folder)
+        result["reference_pN"] = reference(x, a, clump == 1, result["velocity_um_s"])[0]
     return result
 
 

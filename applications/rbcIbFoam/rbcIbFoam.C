@@ -14,7 +14,8 @@ Description
     fraction of the clumps.
 
     Controls in system/fvSolution, PISO: nOuterCorrectors (1: PISO),
-    nCorrectors, nNonOrthogonalCorrectors, consistent, momentumPredictor.
+    nCorrectors, nNonOrthogonalCorrectors, consistent, momentumPredictor,
+    extrapolatePressure.
     With nu dt/dx^2 above about 10 set consistent yes.
 
     With constant/dynamicMeshDict the mesh refines around the clumps
@@ -33,6 +34,7 @@ Description
 #include "fvOptions.H"
 #include "deformableCloud.H"
 #include "costEstimate.H"
+#include "pressureExtrapolation.H"
 #include "timeStepLimits.H"
 #include "stepReport.H"
 #include "watchdog.H"
@@ -70,6 +72,7 @@ int main(int argc, char* argv[])
     #include "createFields.H"
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
 
+    pressureExtrapolation extrapolation(p, piso.dict(), piso.nCorrPIMPLE());
     stepReport report(runTime, cells);
     watchdog guard(runTime, cells);
     costEstimate estimate(runTime, cells, args.found("estimate"));
@@ -99,6 +102,7 @@ int main(int argc, char* argv[])
             #include "refineMesh.H"
         }
 
+        extrapolation.beginStep();
         cells.immerse(nu, p.needReference());
 
         while (piso.loop())
@@ -121,6 +125,7 @@ int main(int argc, char* argv[])
             turbulence->correct();
         }
         fvOptions.correct(U);
+        extrapolation.endStep();
 
         cells.evolve(U, p, nu);
         guard.check(report.continuityError());

@@ -11,7 +11,7 @@ namespace
 {
 
 //- Equilibrium under loads that grow in steps
-clumpState solve
+clumpState equilibriumOf
 (
     const clumpType& type,
     const integrator::externals& ext,
@@ -44,7 +44,7 @@ scalar cantilever(const label n, const scalar P, const string& bond)
     integrator::externals ext(type.size());
     ext.f[0].y() = ext.f[2*n].y() = P;
     ext.f[n].y() = -2*P;
-    const clumpState s(solve(type, ext));
+    const clumpState s(equilibriumOf(type, ext));
     return s.x[0].y() - s.x[n].y();
 }
 
@@ -71,7 +71,7 @@ void Foam::statics()
         const clumpType type(ringOf(n, 1, l));
         const scalar P = 1e-3;
         const auto ext(equilibrium::stretch(type, vector(P, 0, 0)));
-        const clumpState s(solve(type, ext, 1));
+        const clumpState s(equilibriumOf(type, ext, 1));
         print("ring loaded", P, n, (mag(s.x[n/2] - s.x[0]) - 2)/P);
         if (n % 4 == 0)
         {
@@ -89,7 +89,7 @@ void Foam::statics()
         integrator::externals ext(type.size());
         ext.t[0].x() = -0.25;
         ext.t[n].x() = 0.25;
-        const clumpState s(solve(type, ext, 1));
+        const clumpState s(equilibriumOf(type, ext, 1));
         print
         (
             "torsion", 0.25, n,
@@ -109,7 +109,7 @@ void Foam::statics()
         integrator::externals ext(type.size());
         ext.f[0].y() = ext.f[2*n].y() = P;
         ext.f[n].y() = -2*P;
-        const clumpState s(solve(type, ext, 1));
+        const clumpState s(equilibriumOf(type, ext, 1));
         print("timoshenko beam", P, n, (s.x[0].y() - s.x[n].y())/P);
     }
 }

@@ -84,13 +84,14 @@ for resolution in sorted({r["D_dx"] for r in stiff}):
     print(f"rate of a stiff ring, D/dx {resolution:g}: {mean(rates):.1f} +- {deviation(rates):.1f} 1/s over"
           f" {len(rates)} places, {min(rates):.1f} to {max(rates):.1f}")
 
+kinds = {"aside": "", "asideTight": ", ten outer correctors, tight", "asideExtrapolated": ", pressure extrapolated"}
 for run in runs:
     if run["test"] == "rest":
         results.add("drift of a cell at rest / D per step", run["rate"]*run["deltaT_s"]/outer, "-", 0, 1e-9,
                     "no force")
     if run["test"].startswith("aside"):
         print(f"towards the wall, 1 um below the middle, step {run['deltaT_s']:g} s"
-              f"{', ten outer correctors, tight' if run['test'] == 'asideTight' else ''}: {1e6*run['rate']:.2f} um/s")
+              f"{kinds[run['test']]}: {1e6*run['rate']:.2f} um/s")
     if run["test"] == "free":
         print(f"wall time of 0.1 s, D/dx {run['D_dx']:g}, step {run['deltaT_s']:g}:"
               f" {run['seconds']*0.1/run['end_s']:.0f} s"

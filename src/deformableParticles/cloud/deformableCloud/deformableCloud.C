@@ -333,10 +333,10 @@ void Foam::deformableCloud::adaptExchange
 
     const bool overshoots =
         sum(now & last) < 0
-     && sum(magSqr(now)) > sum(magSqr(last))
+     && sum(magSqr(now)) > 1.5*sum(magSqr(last))
      && sum(magSqr(now)) > 1e-6*sum(magSqr(s.u));
 
-    s.exchange = overshoots ? 2*s.exchange : max(0.99*s.exchange, 1.0);
+    s.exchange = overshoots ? 2*s.exchange : max(0.95*s.exchange, 1.0);
     last = now;
 
     if (overshoots)

@@ -331,12 +331,14 @@ void Foam::deformableCloud::adaptExchange
 {
     clumpState& s = parcel.state();
 
+    // A start from rest overshoots, too, and settles by itself
     const bool overshoots =
-        sum(now & last) < 0
-     && sum(magSqr(now)) > 1.5*sum(magSqr(last))
+        mesh_.time().timeIndex() > 10
+     && sum(now & last) < 0
+     && sum(magSqr(now)) > sum(magSqr(last))
      && sum(magSqr(now)) > 1e-6*sum(magSqr(s.u));
 
-    s.exchange = overshoots ? 2*s.exchange : max(0.95*s.exchange, 1.0);
+    s.exchange = overshoots ? 2*s.exchange : max(0.98*s.exchange, 1.0);
     last = now;
 
     if (overshoots)

@@ -148,7 +148,7 @@ int main(int argc, char* argv[])
 
     if (estimate.wanted())
     {
-        estimate.print(mesh.globalData().nTotalCells());
+        estimate.print(mesh.globalData().nTotalCells(), piso.nCorrPIMPLE());
         return 0;
     }
 

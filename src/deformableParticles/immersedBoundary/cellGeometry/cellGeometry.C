@@ -98,6 +98,7 @@ Foam::labelList Foam::cellGeometry::find
 Foam::scalar Foam::cellGeometry::wallConductance
 (
     const label celli,
+    const scalar a,
     const std::function<scalar(const point&)>& distance
 ) const
 {
@@ -105,7 +106,6 @@ Foam::scalar Foam::cellGeometry::wallConductance
     constexpr scalar closest = 0.02;
 
     const point& x = mesh_.cellCentres()[celli];
-    const scalar a = distance(x);
     scalar result = 0;
 
     for (const label facei : mesh_.cells()[celli])

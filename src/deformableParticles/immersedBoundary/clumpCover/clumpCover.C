@@ -75,7 +75,7 @@ void Foam::clumpCover::find
             seen = surface(x);
             if (seen > 0)
             {
-                conductance = geometry.wallConductance(celli, surface);
+                conductance = geometry.wallConductance(celli, seen, surface);
             }
         }
 

@@ -139,14 +139,16 @@ void Foam::immersedBoundary::addFractions
     {
         const label celli = c.cells[k];
         sumLambda_[celli] += c.lambda[k];
-        for (label i = 0; i < n; ++i)
+        solidFraction_[celli] = min(sumLambda_[celli], scalar(1));
+
+        // Radius and normal of a smeared surface
+        for (label i = 0; i < n && !forcingModel_->usesDistance(); ++i)
         {
             const scalar part = c.lambda[k]*c.weights[n*k + i];
             const vector y(mesh_.cellCentres()[celli] - image.x[i]);
             sumRadius_[celli] += part*radii[i];
             sumNormal_[celli] += part*y/max(mag(y), SMALL*radii[i]);
         }
-        solidFraction_[celli] = min(sumLambda_[celli], scalar(1));
     }
 }
 

@@ -112,6 +112,7 @@ void Foam::deformableCloud::iterate
         imposed_[index].u = parcel.state().u;
         imposed_[index].w = parcel.state().w;
         start[index].exchange = parcel.state().exchange;
+        start[index].overshoots = parcel.state().overshoots;
         parcel.state() = start[index];
         parcel.state().u = imposed_[index].u;
         parcel.state().w = imposed_[index].w;
@@ -331,17 +332,18 @@ void Foam::deformableCloud::adaptExchange
 {
     clumpState& s = parcel.state();
 
-    // A start from rest overshoots, too, and settles by itself
     const bool overshoots =
-        mesh_.time().timeIndex() > 10
-     && sum(now & last) < 0
+        sum(now & last) < 0
      && sum(magSqr(now)) > sum(magSqr(last))
      && sum(magSqr(now)) > 1e-6*sum(magSqr(s.u));
 
-    s.exchange = overshoots ? 2*s.exchange : max(0.98*s.exchange, 1.0);
+    // A single one may be the change of an acceleration's sign
+    s.overshoots = overshoots ? s.overshoots + 1 : 0;
+    const bool unstable = s.overshoots > 1;
+    s.exchange = unstable ? 2*s.exchange : max(0.98*s.exchange, 1.0);
     last = now;
 
-    if (overshoots)
+    if (unstable)
     {
         Pout<< "Clump " << parcel.origId() << ": exchange overshoots, margin times "
             << s.exchange << endl;

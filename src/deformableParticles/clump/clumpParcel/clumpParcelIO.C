@@ -205,6 +205,7 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
     const auto& cloud = dynamic_cast<const deformableCloud&>(c);
     const labelField typeIds(readValues<label>(c, "typeId"));
     const scalarField exchange(readValues<scalar>(c, "exchangeFactor"));
+    const labelField overshoots(readValues<label>(c, "exchangeOvershoots"));
     i = 0;
     for (clumpParcel& p : c)
     {
@@ -219,7 +220,9 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
             );
         }
         p.state_ = clumpState(cloud.type(p));
-        p.state_.exchange = exchange[i++];
+        p.state_.exchange = exchange[i];
+        p.state_.overshoots = overshoots[i];
+        ++i;
         if (!(physical(p.state_.exchange) && p.state_.exchange >= 1))
         {
             refuse(c, "exchangeFactor", p, "has a factor that is not 1 or above");
@@ -309,6 +312,10 @@ void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
     (
         c.fieldIOobject("exchangeFactor", IOobject::NO_READ), c.size()
     );
+    IOField<label> overshoots
+    (
+        c.fieldIOobject("exchangeOvershoots", IOobject::NO_READ), c.size()
+    );
 
     const auto& cloud = dynamic_cast<const deformableCloud&>(c);
     label i = 0;
@@ -317,11 +324,13 @@ void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
         typeIds[i] = p.typeId_;
         U[i] = p.state_.velocity(cloud.type(p));
         exchange[i] = p.state_.exchange;
+        overshoots[i] = p.state_.overshoots;
         ++i;
     }
     typeIds.write(valid);
     U.write(valid);
     exchange.write(valid);
+    overshoots.write(valid);
 
     writeLists<vector>
     (

@@ -106,7 +106,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
     os  << s.x << token::SPACE << s.u << token::SPACE << s.q << token::SPACE
         << s.w << token::SPACE << s.n << token::SPACE << s.m << token::SPACE
         << s.a << token::SPACE << s.b << token::SPACE << s.broken
-        << token::SPACE << s.exchange;
+        << token::SPACE << s.exchange << token::SPACE << s.overshoots;
     os.check(FUNCTION_NAME);
     return os;
 }
@@ -115,7 +115,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 Foam::Istream& Foam::operator>>(Istream& is, clumpState& s)
 {
     is >> s.x >> s.u >> s.q >> s.w >> s.n >> s.m >> s.a >> s.b >> s.broken
-       >> s.exchange;
+       >> s.exchange >> s.overshoots;
     is.check(FUNCTION_NAME);
     return is;
 }

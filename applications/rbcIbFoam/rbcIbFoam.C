@@ -129,6 +129,7 @@ int main(int argc, char* argv[])
 
         cells.evolve(U, p, nu);
         guard.check(report.continuityError());
+        cells.moveParcels();
 
         if (estimate.wanted())
         {

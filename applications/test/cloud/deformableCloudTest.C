@@ -35,6 +35,7 @@ TEST_CASE("cloud: free flight through every periodic boundary", "[cloud]")
     for (label step = 0; step < nSteps; ++step)
     {
         t.cloud().evolve();
+        t.cloud().moveParcels();
     }
     REQUIRE(t.cloud().nClumps() == 1);
 
@@ -63,6 +64,7 @@ TEST_CASE("cloud: a collision conserves momentum", "[cloud][contact]")
     for (label step = 0; step < 300; ++step)
     {
         t.cloud().evolve();
+        t.cloud().moveParcels();
         scalar speed = 0;
         for (const clumpParcel& p : t.cloud())
         {
@@ -109,6 +111,7 @@ TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
     testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "clump", false);
     const effects& active = t.cloud().activeEffects();
     t.cloud().evolve();
+    t.cloud().moveParcels();
 
     CHECK(!active.active("contact"));
     CHECK(!active.active("gravity"));
@@ -118,6 +121,8 @@ TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
 
     t.add(point(10e-6, 10e-6, 13e-6));
     t.cloud().evolve();
+    t.cloud().moveParcels();
     t.cloud().evolve();
+    t.cloud().moveParcels();
     CHECK(active.active("contact"));
 }

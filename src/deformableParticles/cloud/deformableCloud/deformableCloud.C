@@ -155,8 +155,6 @@ void Foam::deformableCloud::evolve()
     }
     decideEffects();
     advance(mesh_.time().deltaTValue());
-    moveParcels();
-    effects_.endStep();
 }
 
 
@@ -337,9 +335,11 @@ void Foam::deformableCloud::adaptExchange
      && sum(magSqr(now)) > sum(magSqr(last))
      && sum(magSqr(now)) > 1e-6*sum(magSqr(s.u));
 
-    // A single one may be the change of an acceleration's sign
+    // A single one may be the change of an acceleration's sign, if small
     s.overshoots = overshoots ? s.overshoots + 1 : 0;
-    const bool unstable = s.overshoots > 1;
+    const bool unstable =
+        s.overshoots > 1
+     || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(s.u)));
     s.exchange = unstable ? 2*s.exchange : max(0.98*s.exchange, 1.0);
     last = now;
 
@@ -364,6 +364,7 @@ void Foam::deformableCloud::moveParcels()
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
 
     nClumps_ = returnReduce(size(), sumOp<label>());
+    effects_.endStep();
 }
 
 

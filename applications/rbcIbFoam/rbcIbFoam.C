@@ -21,7 +21,9 @@ Description
     With constant/dynamicMeshDict the mesh refines around the clumps
     (dynamicRefineFvMesh on the field clumpCloseness, see immersedBoundary).
 
-    Without a fluid (no constant/transportProperties) the clumps move alone.
+    Without a fluid (no constant/transportProperties) the clumps move alone; in a
+    frozen one or where it does not feel them (clumpProperties, effects) they are
+    dragged by it.
 
     rbcIbFoam -estimate runs a few steps and prints what the case will cost.
 \*---------------------------------------------------------------------------*/
@@ -60,33 +62,50 @@ int main(int argc, char* argv[])
 
     deformableCloud cells(mesh);
     effects& active = cells.activeEffects();
-    timeStepLimits(runTime.controlDict());
+    const accuracyPreset& accuracy = cells.accuracy();
+
+    // Function objects run in here
+    const auto goesOn = [&]()
+    {
+        const effects::timer t(active, "write");
+        return runTime.run();
+    };
+
+    timeStepLimits(runTime.controlDict(), accuracy);
 
     if (!cells.wet())
     {
-        #include "dryLoop.H"
+        const auto evolve = [&]() { cells.evolve(); };
+        #include "clumpLoop.H"
         return 0;
     }
 
+    accuracy.complete(mesh);
     #include "createPressureControl.H"
     #include "createFields.H"
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
+    if (active.frozen())
+    {
+        const auto evolve = [&]() { cells.evolve(U, p, nu); };
+        #include "clumpLoop.H"
+        return 0;
+    }
 
     pressureExtrapolation extrapolation(p, piso.dict(), piso.nCorrPIMPLE());
     stepReport report(runTime, cells);
     watchdog guard(runTime, cells);
     costEstimate estimate(runTime, cells, args.found("estimate"));
-    if (estimate.wanted())
-    {
-        runTime.functionObjects().off();
-    }
+    estimate.outerCorrectors(piso.nCorrPIMPLE());
     #include "decideConvection.H"
     active.printTable(Info);
+    accuracy.print(Info, cells.mostSpheres(), cells.cellsPerDiameter());
 
     Info<< "Starting time loop" << nl << endl;
 
-    while (runTime.run())
+    while (goesOn())
     {
+        accuracy.complete(mesh);
+        effects::timer checks(active, "checks");
         #include "flowNumbers.H"
         #include "decideConvection.H"
         const scalar viscousLimit =
@@ -96,18 +115,22 @@ int main(int argc, char* argv[])
         ++runTime;
         report.beginStep(CoNum, viscousNum);
         report.checkPressure(viscousNum, viscousLimit);
+        checks.stop();
 
-        if (mesh.dynamic())
+        if (active.active("refinement"))
         {
             #include "refineMesh.H"
         }
 
         extrapolation.beginStep();
-        cells.immerse(nu, p.needReference());
+        if (cells.coupled())
+        {
+            cells.immerse(nu, p.needReference());
+        }
 
         while (piso.loop())
         {
-            if (!piso.firstIter())
+            if (cells.coupled() && !piso.firstIter())
             {
                 cells.iterate(U, p, nu);
             }
@@ -128,31 +151,14 @@ int main(int argc, char* argv[])
         extrapolation.endStep();
 
         cells.evolve(U, p, nu);
-        guard.check(report.continuityError());
+        {
+            const effects::timer t(active, "checks");
+            guard.check(report.continuityError());
+        }
         cells.moveParcels();
 
-        if (estimate.wanted())
-        {
-            estimate.add(report.stepSeconds(), active.seconds("clumps"));
-            if (estimate.done())
-            {
-                break;
-            }
-            continue;
-        }
-        {
-            const effects::timer t(active, "write");
-            runTime.write();
-        }
-        report.endStep();
+        #include "endStep.H"
     }
-
-    if (estimate.wanted())
-    {
-        estimate.print(mesh.globalData().nTotalCells(), piso.nCorrPIMPLE());
-        return 0;
-    }
-
-    report.end();
+    #include "endRun.H"
     return 0;
 }

@@ -24,7 +24,7 @@ models
 draft
 {
     measured        "";
-    scene           { spheres 8; cellsPerDiameter 2.5; }
+    scene           { spheres 8; cellsPerDiameter 3; }
     $models;
     fvSolution
     {
@@ -42,7 +42,7 @@ draft
             "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.05; }
         }
     }
-    controlDict     { maxCo 2; maxDisplacement 0.5; maxDeltaT 2e-3; }
+    controlDict     { maxCo 2; maxDisplacement 0.25; maxDeltaT 2e-3; }
 }
 standard
 {
@@ -65,12 +65,12 @@ standard
             "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.01; }
         }
     }
-    controlDict     { maxCo 1; maxDisplacement 0.25; maxDeltaT 1e-3; }
+    controlDict     { maxCo 2; maxDisplacement 0.1; maxDeltaT 1e-3; }
 }
 fine
 {
     measured        "";
-    scene           { spheres 16; cellsPerDiameter 8; }
+    scene           { spheres 10; cellsPerDiameter 6; }
     $models;
     fvSolution
     {
@@ -78,16 +78,16 @@ fine
         {
             consistent          yes;
             momentumPredictor   yes;
-            nOuterCorrectors    3;
+            nOuterCorrectors    2;
             nCorrectors         1;
-            nNonOrthogonalCorrectors 1;
+            nNonOrthogonalCorrectors 0;
         }
         solvers
         {
-            "U.*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-12; relTol 0.0001; }
+            "U.*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-12; relTol 0.001; }
             "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.001; }
         }
     }
-    controlDict     { maxCo 0.5; maxDisplacement 0.1; maxDeltaT 2.5e-4; }
+    controlDict     { maxCo 2; maxDisplacement 0.05; maxDeltaT 1e-3; }
 }
 )";

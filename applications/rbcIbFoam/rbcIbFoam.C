@@ -33,6 +33,7 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "deformableCloud.H"
+#include "completeTime.H"
 #include "costEstimate.H"
 #include "pressureExtrapolation.H"
 #include "timeStepLimits.H"
@@ -55,7 +56,8 @@ int main(int argc, char* argv[])
     #define CREATE_CONTROL createPressureControl.H
     #include "postProcess.H"
     #include "setRootCase.H"
-    #include "createTime.H"
+    Info<< "Create time" << nl << endl;
+    completeTime runTime(args);
     #include "createDynamicFvMesh.H"
 
     deformableCloud cells(mesh);
@@ -69,6 +71,7 @@ int main(int argc, char* argv[])
     }
 
     #include "createPressureControl.H"
+    runTime.need("phi");
     #include "createFields.H"
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
 
@@ -79,6 +82,7 @@ int main(int argc, char* argv[])
     if (estimate.wanted())
     {
         runTime.functionObjects().off();
+        runTime.writeNothing();
     }
     #include "decideConvection.H"
     active.printTable(Info);

@@ -246,7 +246,23 @@ Foam::completeTime::completeTime(const argList& args)
             << endl;
     }
 
-    // Steps are counted on from it: by all processors or none
+    const fileName uniform(timePath()/"uniform");
+    if (isFile(uniform/"time"))
+    {
+        // OpenFOAM takes from these files what it finds
+        const fileName file(cutShort::first(uniform));
+        if (!file.empty())
+        {
+            FatalErrorInFunction
+                << "file " << file << " is cut short" << exit(FatalError);
+        }
+    }
+    else if (isFile(timePath()/"phi"))
+    {
+        WarningInFunction
+            << "no file " << uniform/"time" << ": fields and clumps go on from "
+            << timePath() << ", but steps are counted anew" << endl;
+    }
     need("uniform/time");
 
     // The time to the last bit: the name of its directory has fewer digits
@@ -271,12 +287,14 @@ void Foam::completeTime::need(const word& file) const
     const fileName start(timePath());
     bool written = isFile(start/"uniform"/"time");
     reduce(written, orOp<bool>());
-    if (written && !isFile(start/file))
+    const bool found = isFile(start/file);
+    if (written && !(found && cutShort::whole(start/file)))
     {
         FatalErrorInFunction
-            << "cannot find file " << start/file << nl
-            << "    The run that wrote " << start << " wrote it, too. To start"
-            << " without, remove " << start/"uniform" << exit(FatalError);
+            << "file " << start/file << (found ? " is cut short" : " is missing")
+            << nl << "    The run that wrote " << start << " wrote it, too. To"
+            << " start without, remove it and " << start/"uniform"
+            << exit(FatalError);
     }
 }
 
@@ -285,6 +303,12 @@ void Foam::completeTime::finish() const
 {
     if (!marked_.empty())
     {
+        const double begun = highResLastModified(mark(marked_));
+        const fileName file(cutShort::first(marked_, begun));
+        if (!file.empty())
+        {
+            refuse(file + " is cut short");
+        }
         returnReduce(true, andOp<bool>());
         rm(mark(marked_));
         marked_.clear();
@@ -326,7 +350,6 @@ bool Foam::completeTime::write(const bool valid) const
         markDirectory();
     }
 
-    const double since = highResLastModified(mark(marked_));
     bool good = false;
     refuse(attempt([&]()
     {
@@ -334,11 +357,6 @@ bool Foam::completeTime::write(const bool valid) const
         fileHandler().flush();
     }));
 
-    const fileName file(cutShort::first(marked_, since));
-    if (!file.empty())
-    {
-        refuse(file + " is cut short");
-    }
     if (!good)
     {
         refuse("a file in " + marked_);

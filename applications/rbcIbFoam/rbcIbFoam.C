@@ -35,6 +35,7 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "deformableCloud.H"
+#include "completeTime.H"
 #include "costEstimate.H"
 #include "pressureExtrapolation.H"
 #include "timeStepLimits.H"
@@ -57,7 +58,8 @@ int main(int argc, char* argv[])
     #define CREATE_CONTROL createPressureControl.H
     #include "postProcess.H"
     #include "setRootCase.H"
-    #include "createTime.H"
+    Info<< "Create time" << nl << endl;
+    completeTime runTime(args);
     #include "createDynamicFvMesh.H"
 
     deformableCloud cells(mesh);
@@ -82,6 +84,7 @@ int main(int argc, char* argv[])
 
     accuracy.complete(mesh);
     #include "createPressureControl.H"
+    runTime.need("phi");
     #include "createFields.H"
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
     if (active.frozen())

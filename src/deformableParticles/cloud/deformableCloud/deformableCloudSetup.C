@@ -261,8 +261,22 @@ void Foam::deformableCloud::place()
     if (returnReduce(isFile(written.objectPath()), orOp<bool>()))
     {
         FatalErrorInFunction
-            << written.path() << " holds clumps, but their places, coordinates, "
-            << "are missing" << exit(FatalError);
+            << written.path() << " holds clumps, but their places,"
+            << " coordinates, are missing or cannot be read" << exit(FatalError);
+    }
+
+    // A run that had clumps wrote both; after setClumps there is no state
+    const fileName uniform(mesh_.time().timePath()/"uniform");
+    const bool had =
+        isFile(uniform/"time")
+     && isFile(uniform/cloud::prefix/name()/"cloudProperties");
+    if (returnReduce(had, orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The run that wrote " << mesh_.time().timePath()
+            << " had clumps, but " << written.path() << " holds none." << nl
+            << "    To place them anew, remove " << uniform/cloud::prefix
+            << exit(FatalError);
     }
 
     const dictionary& dict = getDict(dict_, "placement");

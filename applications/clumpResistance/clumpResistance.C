@@ -53,15 +53,18 @@ int main(int argc, char* argv[])
     #include "setRootCase.H"
     #include "createTime.H"
     #include "createMesh.H"
-    #include "createPressureControl.H"
 
     deformableCloud cells(mesh);
     effects& active = cells.activeEffects();
-    if (!cells.wet())
+    const accuracyPreset& accuracy = cells.accuracy();
+    if (!cells.coupled())
     {
-        FatalErrorInFunction << "The case has no fluid" << exit(FatalError);
+        FatalErrorInFunction
+            << "The case has no fluid that feels the clumps" << exit(FatalError);
     }
 
+    accuracy.complete(mesh);
+    #include "createPressureControl.H"
     #include "createFields.H"
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
     stepReport report(runTime, cells);

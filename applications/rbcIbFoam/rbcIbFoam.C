@@ -21,7 +21,9 @@ Description
     With constant/dynamicMeshDict the mesh refines around the clumps
     (dynamicRefineFvMesh on the field clumpCloseness, see immersedBoundary).
 
-    Without a fluid (no constant/transportProperties) the clumps move alone.
+    Without a fluid (no constant/transportProperties) the clumps move alone; in a
+    frozen one or where it does not feel them (clumpProperties, effects) they are
+    dragged by it.
 
     rbcIbFoam -estimate runs a few steps and prints what the case will cost.
 \*---------------------------------------------------------------------------*/
@@ -33,6 +35,7 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "deformableCloud.H"
+#include "completeTime.H"
 #include "costEstimate.H"
 #include "pressureExtrapolation.H"
 #include "timeStepLimits.H"
@@ -55,38 +58,57 @@ int main(int argc, char* argv[])
     #define CREATE_CONTROL createPressureControl.H
     #include "postProcess.H"
     #include "setRootCase.H"
-    #include "createTime.H"
+    Info<< "Create time" << nl << endl;
+    completeTime runTime(args);
     #include "createDynamicFvMesh.H"
 
     deformableCloud cells(mesh);
     effects& active = cells.activeEffects();
-    timeStepLimits(runTime.controlDict());
+    const accuracyPreset& accuracy = cells.accuracy();
+
+    // Function objects run in here
+    const auto goesOn = [&]()
+    {
+        const effects::timer t(active, "write");
+        return runTime.run();
+    };
+
+    timeStepLimits(runTime.controlDict(), accuracy);
 
     if (!cells.wet())
     {
-        #include "dryLoop.H"
+        const auto evolve = [&]() { cells.evolve(); };
+        #include "clumpLoop.H"
         return 0;
     }
 
+    accuracy.complete(mesh);
     #include "createPressureControl.H"
+    runTime.need("phi");
     #include "createFields.H"
     const auto& nu = mesh.lookupObject<volScalarField>("nu");
+    if (active.frozen())
+    {
+        const auto evolve = [&]() { cells.evolve(U, p, nu); };
+        #include "clumpLoop.H"
+        return 0;
+    }
 
     pressureExtrapolation extrapolation(p, piso.dict(), piso.nCorrPIMPLE());
     stepReport report(runTime, cells);
     watchdog guard(runTime, cells);
     costEstimate estimate(runTime, cells, args.found("estimate"));
-    if (estimate.wanted())
-    {
-        runTime.functionObjects().off();
-    }
+    estimate.outerCorrectors(piso.nCorrPIMPLE());
     #include "decideConvection.H"
     active.printTable(Info);
+    accuracy.print(Info, cells.mostSpheres(), cells.cellsPerDiameter());
 
     Info<< "Starting time loop" << nl << endl;
 
-    while (runTime.run())
+    while (goesOn())
     {
+        accuracy.complete(mesh);
+        effects::timer checks(active, "checks");
         #include "flowNumbers.H"
         #include "decideConvection.H"
         const scalar viscousLimit =
@@ -96,18 +118,22 @@ int main(int argc, char* argv[])
         ++runTime;
         report.beginStep(CoNum, viscousNum);
         report.checkPressure(viscousNum, viscousLimit);
+        checks.stop();
 
-        if (mesh.dynamic())
+        if (active.active("refinement"))
         {
             #include "refineMesh.H"
         }
 
         extrapolation.beginStep();
-        cells.immerse(nu, p.needReference());
+        if (cells.coupled())
+        {
+            cells.immerse(nu, p.needReference());
+        }
 
         while (piso.loop())
         {
-            if (!piso.firstIter())
+            if (cells.coupled() && !piso.firstIter())
             {
                 cells.iterate(U, p, nu);
             }
@@ -128,31 +154,14 @@ int main(int argc, char* argv[])
         extrapolation.endStep();
 
         cells.evolve(U, p, nu);
-        guard.check(report.continuityError());
+        {
+            const effects::timer t(active, "checks");
+            guard.check(report.continuityError());
+        }
         cells.moveParcels();
 
-        if (estimate.wanted())
-        {
-            estimate.add(report.stepSeconds(), active.seconds("clumps"));
-            if (estimate.done())
-            {
-                break;
-            }
-            continue;
-        }
-        {
-            const effects::timer t(active, "write");
-            runTime.write();
-        }
-        report.endStep();
+        #include "endStep.H"
     }
-
-    if (estimate.wanted())
-    {
-        estimate.print(mesh.globalData().nTotalCells(), piso.nCorrPIMPLE());
-        return 0;
-    }
-
-    report.end();
+    #include "endRun.H"
     return 0;
 }

@@ -27,7 +27,8 @@ for run in settling:
     if ratio == 1:
         results.add("velocity x step / D at density ratio 1", velocity*1e-4/outer, "-", 0, 1e-9, "Archimedes")
     else:
-        results.add(f"terminal velocity at density ratio {ratio:g}, step 1e-4, {run['outer']:g} outer correctors",
+        results.add(f"terminal velocity at density ratio {ratio:g}, step 1e-4, {run['outer']:g} outer correctors"
+                    + (", pressure extrapolated" if run["extrapolated"] == "yes" else ""),
                     velocity, "m/s", last_quarter(fine[ratio]), "1%", "step 1e-5")
 
 for colour, ratio in enumerate(r for r in fine if r != 1):

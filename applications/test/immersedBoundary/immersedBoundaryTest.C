@@ -287,3 +287,36 @@ TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][seria
         mag(t.boundary().solidVelocity()[deepest] - vector(1e-3, 0, 0)) < 1e-15
     );
 }
+
+
+TEST_CASE
+(
+    "immersedBoundary: what stands still is not found anew, what moves is",
+    "[immersedBoundary]"
+)
+{
+    testCloud t(point(10e-6, 9e-6, 8e-6), vector(1e-3, 2e-3, 0));
+    const scalarField first(t.boundary().strength().primitiveField());
+
+    t.immerse();
+    CHECK(gMax(mag(t.boundary().strength().primitiveField() - first)) == 0);
+
+    const auto shift = [&](const vector& d)
+    {
+        for (clumpParcel& p : t.cloud())
+        {
+            p.state().x += d;
+        }
+        t.immerse();
+    };
+    shift(vector(0.4e-6, 0, 0));
+    CHECK(gMax(mag(t.boundary().strength().primitiveField() - first)) > 0);
+
+    testCloud there(point(10.4e-6, 9e-6, 8e-6), vector(1e-3, 2e-3, 0));
+    const scalarField difference
+    (
+        t.boundary().strength().primitiveField()
+      - there.boundary().strength().primitiveField()
+    );
+    CHECK(gMax(mag(difference)) < 1e-6*gMax(first));
+}

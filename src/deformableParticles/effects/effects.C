@@ -8,16 +8,26 @@
 #include "HashTable.H"
 #include "IOmanip.H"
 #include "messageStream.H"
+#include "DynamicList.H"
+#include <cstring>
 
 namespace
 {
 
 const char* const selectableNames[] =
-    {"fluid", "convection", "gravity", "contact", "walls"};
+{
+    "fluid", "feedback", "convection", "refinement", "gravity", "rotation",
+    "loads", "damping", "conservation", "contact", "walls"
+};
+
+//- Without a time of their own: a switch (feedback), or too small a part of
+//  the clumps' step to look at the clock for
+const char* const untimedNames[] =
+    {"fluid", "feedback", "damping", "conservation"};
 
 const char* const partNames[] =
 {
-    "mesh", "ghosts", "solid fraction", "flow", "force integral", "clumps",
+    "ghosts", "solid fraction", "flow", "force integral", "clumps", "checks",
     "write"
 };
 
@@ -26,19 +36,32 @@ const char* const partNames[] =
 
 Foam::effects::effects(const dictionary& dict)
 :
-    announce_(false)
+    announce_(false),
+    frozen_(false),
+    running_(nullptr),
+    since_(clock::now())
 {
+    DynamicList<entry> all;
     for (const char* name : selectableNames)
     {
-        entries_.append
+        bool timed = true;
+        for (const char* other : untimedNames)
+        {
+            timed = timed && std::strcmp(name, other);
+        }
+        all.append
         (
-            {name, true, choice::automatic, true, "", 0, 0, 0}
+            {name, true, timed, choice::automatic, true, "", 0, 0, 0}
         );
     }
     for (const char* name : partNames)
     {
-        entries_.append({word(name, false), false, choice::on, true, "", 0, 0, 0});
+        all.append
+        (
+            {word(name, false), false, true, choice::on, true, "", 0, 0, 0}
+        );
     }
+    entries_.transfer(all);
 
     if (!dict.found("effects"))
     {
@@ -60,14 +83,19 @@ Foam::effects::effects(const dictionary& dict)
         }
 
         const word value(chosen.get<word>(name));
-        const HashTable<label> choices({{"off", 0}, {"on", 1}, {"auto", 2}});
+        HashTable<label> choices({{"off", 0}, {"on", 1}, {"auto", 2}});
+        if (name == "fluid")
+        {
+            choices.insert("frozen", 1);
+            frozen_ = value == "frozen";
+        }
         if (!choices.found(value))
         {
             FatalIOErrorInLookup(chosen, name, value, choices)
                 << exit(FatalIOError);
         }
 
-        entry& e = find(name);
+        entry& e = find(name.c_str());
         e.chosen = choice(choices[value]);
         if (e.chosen != choice::automatic)
         {
@@ -78,11 +106,11 @@ Foam::effects::effects(const dictionary& dict)
 }
 
 
-Foam::effects::entry& Foam::effects::find(const word& name)
+Foam::effects::entry& Foam::effects::find(const char* name)
 {
     for (entry& e : entries_)
     {
-        if (e.name == name)
+        if (!std::strcmp(e.name.c_str(), name))
         {
             return e;
         }
@@ -92,15 +120,28 @@ Foam::effects::entry& Foam::effects::find(const word& name)
 }
 
 
-const Foam::effects::entry& Foam::effects::find(const word& name) const
+const Foam::effects::entry& Foam::effects::find(const char* name) const
 {
     return const_cast<effects&>(*this).find(name);
 }
 
 
+void Foam::effects::runFor(entry* e)
+{
+    const clock::time_point now = clock::now();
+    if (running_)
+    {
+        running_->seconds +=
+            std::chrono::duration<double>(now - since_).count();
+    }
+    running_ = e;
+    since_ = now;
+}
+
+
 void Foam::effects::decide
 (
-    const word& name,
+    const char* name,
     const bool on,
     const string& reason
 )
@@ -157,10 +198,17 @@ void Foam::effects::printLedger(Ostream& os, const scalar total) const
     scalar sum = 0;
     for (const entry& e : entries_)
     {
-        os  << setw(18) << e.name.c_str() << setw(10) << e.steps
-            << setw(10) << e.calls << setw(14) << e.seconds
-            << setw(9) << 100*e.seconds/max(total, VSMALL) << '%' << nl;
-        sum += e.seconds;
+        if (e.timed)
+        {
+            os  << setw(18) << e.name.c_str() << setw(10) << e.steps
+                << setw(10) << e.calls << setw(14) << e.seconds
+                << setw(9) << 100*e.seconds/max(total, VSMALL) << '%' << nl;
+            sum += e.seconds;
+        }
+        else
+        {
+            os  << setw(18) << e.name.c_str() << setw(10) << e.steps << nl;
+        }
     }
     os  << setw(18) << "rest" << setw(10) << ' ' << setw(10) << ' '
         << setw(14) << total - sum

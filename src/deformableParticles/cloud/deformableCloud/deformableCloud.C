@@ -141,14 +141,19 @@ void Foam::deformableCloud::evolve
 )
 {
     mu_ = rho_*gMax(nu.primitiveField());
+    if (!coupled())
+    {
+        const effects::timer t(effects_, "ghosts");
+        ghosts_.update(*this);
+    }
     gatherForces(U, p, nu);
-    evolve();
+    decideEffects();
+    advance(mesh_.time().deltaTValue());
 }
 
 
 void Foam::deformableCloud::evolve()
 {
-    if (!wet())
     {
         const effects::timer t(effects_, "ghosts");
         ghosts_.update(*this);
@@ -167,7 +172,14 @@ void Foam::deformableCloud::gatherForces
 {
     const effects::timer t(effects_, "force integral");
 
-    immersedBoundary_->integrate(U, p, nu, rho_, ghosts_.images());
+    if (coupled())
+    {
+        immersedBoundary_->integrate(U, p, nu, rho_, ghosts_.images());
+    }
+    else
+    {
+        drag_->integrate(U, mu_, effects_.frozen(), ghosts_.images());
+    }
     ghosts_.returnForces();
 
     label index = 0;
@@ -177,14 +189,18 @@ void Foam::deformableCloud::gatherForces
         parcel.fluidForces() = image.force;
         parcel.fluidTorques() = Zero;
 
-        rotationModel_->transpose
-        (
-            type(parcel),
-            parcel.state(),
-            image.torque,
-            parcel.fluidForces(),
-            parcel.fluidTorques()
-        );
+        if (rotationModel_.valid())
+        {
+            const effects::timer t(effects_, "rotation");
+            rotationModel_->transpose
+            (
+                type(parcel),
+                parcel.state(),
+                image.torque,
+                parcel.fluidForces(),
+                parcel.fluidTorques()
+            );
+        }
     }
 }
 
@@ -202,10 +218,18 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
 
     if (effects_.active("gravity"))
     {
+        const effects::timer t(effects_, "gravity");
         ext.f += (ct.masses() - rho_*ct.volumes())*g_;
     }
 
-    if (wet())
+    if (drag_.valid())
+    {
+        ext.f += parcel.fluidForces();
+        ext.zeta = freeDraining::resistance(ct, mu_);
+        ext.u0 = imposed.u;
+    }
+
+    if (coupled())
     {
         ext.f += parcel.fluidForces();
         ext.t += parcel.fluidTorques();
@@ -235,7 +259,7 @@ void Foam::deformableCloud::advance(const scalar dt)
     const label n = size();
     List<integrator::externals> steady(n);
 
-    if (!wet())
+    if (!coupled())
     {
         imposed_.setSize(n);
     }
@@ -243,7 +267,7 @@ void Foam::deformableCloud::advance(const scalar dt)
     label index = 0;
     for (const clumpParcel& parcel : *this)
     {
-        if (!wet())
+        if (!coupled())
         {
             imposed_[index] = parcel.state();
         }
@@ -264,22 +288,9 @@ void Foam::deformableCloud::advance(const scalar dt)
 
         List<integrator::externals> ext(steady);
 
-        index = 0;
-        for (const clumpParcel& parcel : *this)
+        if (loads_.size())
         {
-            for (const load& l : loads_)
-            {
-                if (l.clumpType() == type(parcel).name())
-                {
-                    l.add
-                    (
-                        mesh_.time().value() - dt + (sub + 1)*h,
-                        parcel.centres(),
-                        ext[index]
-                    );
-                }
-            }
-            ++index;
+            addLoads(mesh_.time().value() - dt + (sub + 1)*h, ext);
         }
         if (touching)
         {
@@ -312,9 +323,32 @@ void Foam::deformableCloud::advance(const scalar dt)
         const vectorField change(s.u - imposed_[index].u);
         s.a = change/dt;
         s.b = (s.w - imposed_[index].w)/dt;
-        if (wet())
+        if (coupled())
         {
             adaptExchange(parcel, lastChange_[index], change);
+        }
+        ++index;
+    }
+}
+
+
+void Foam::deformableCloud::addLoads
+(
+    const scalar t,
+    List<integrator::externals>& ext
+) const
+{
+    const effects::timer clock(effects_, "loads");
+
+    label index = 0;
+    for (const clumpParcel& parcel : *this)
+    {
+        for (const load& l : loads_)
+        {
+            if (l.clumpType() == type(parcel).name())
+            {
+                l.add(t, parcel.centres(), ext[index]);
+            }
         }
         ++index;
     }
@@ -376,6 +410,31 @@ Foam::scalar Foam::deformableCloud::maxSpeed() const
         result = max(result, max(mag(p.state().u)));
     }
     return returnReduce(result, maxOp<scalar>());
+}
+
+
+Foam::label Foam::deformableCloud::mostSpheres() const
+{
+    label result = 0;
+    for (const clumpType& type : types_)
+    {
+        result = max(result, type.size());
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::deformableCloud::cellsPerDiameter() const
+{
+    scalar result = GREAT;
+    for (const clumpParcel& p : *this)
+    {
+        result = min
+        (
+            result, 2*min(type(p).radii())/cbrt(mesh_.V()[p.cell()])
+        );
+    }
+    return returnReduce(result, minOp<scalar>());
 }
 
 

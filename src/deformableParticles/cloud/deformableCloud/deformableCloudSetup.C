@@ -56,7 +56,8 @@ Foam::deformableCloud::deformableCloud
     // Numbers too large: as in readProperties
     Cloud<clumpParcel>((sigFpe::ignore(), mesh), name, false),
     mesh_(mesh),
-    dict_(dict),
+    accuracy_(dict),
+    dict_(accuracy_.completed(dict)),
     effects_(dict_),
     ghosts_(mesh),
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
@@ -78,9 +79,10 @@ Foam::deformableCloud::deformableCloud
         {
             "types", "placement", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation", "exchange",
-            "immersedBoundary"
+            "immersedBoundary", "accuracy"
         }
     );
+    decideOnce();
     readTypes();
     readLoads();
 
@@ -90,24 +92,7 @@ Foam::deformableCloud::deformableCloud
         dimensionedVector(dimAcceleration, Zero)
     ).value();
 
-    if (effects_.automatic("fluid"))
-    {
-        const bool found = IOobject
-        (
-            "transportProperties", mesh.time().constant(), mesh
-        ).typeHeaderOk<IOdictionary>(false);
-
-        effects_.decide
-        (
-            "fluid",
-            found,
-            found
-          ? "constant/transportProperties is there"
-          : "no constant/transportProperties"
-        );
-    }
-
-    if (effects_.active("fluid"))
+    if (wet())
     {
         const IOdictionary fluid
         (
@@ -124,7 +109,15 @@ Foam::deformableCloud::deformableCloud
             getPositive(fluid, "nu", dimViscosity);
         }
 
-        rotationModel_ = selectModel<rotationModel>(getDict(dict_, "rotation"));
+    }
+
+    if (effects_.active("feedback"))
+    {
+        if (effects_.active("rotation"))
+        {
+            rotationModel_ =
+                selectModel<rotationModel>(getDict(dict_, "rotation"));
+        }
         exchangeModel_ = selectModel<exchangeModel>(getDict(dict_, "exchange"));
         immersedBoundary_.reset
         (
@@ -134,9 +127,9 @@ Foam::deformableCloud::deformableCloud
             )
         );
     }
-    else
+    else if (wet())
     {
-        effects_.decide("convection", false, "no fluid");
+        drag_.reset(new freeDraining(types_));
     }
 
     nClumps_ = returnReduce(size(), sumOp<label>());
@@ -155,7 +148,7 @@ Foam::deformableCloud::deformableCloud
     {
         checkOverlaps(getDict(dict_, "placement"));
     }
-    if (wet())
+    if (coupled())
     {
         immersedBoundary_->checkResolution(ghosts_.images());
     }
@@ -177,7 +170,17 @@ void Foam::deformableCloud::readTypes()
 
     forAll(names, i)
     {
-        types_.set(i, new clumpType(names[i], getDict(types, names[i])));
+        dictionary type(getDict(types, names[i]));
+        if (!effects_.active("damping"))
+        {
+            type.subDictOrAdd("dampingModel").clear();
+            type.subDict("dampingModel").set("type", word("none"));
+        }
+        if (!effects_.active("conservation"))
+        {
+            type.remove("conservationModel");
+        }
+        types_.set(i, new clumpType(names[i], type));
         typeIds_.insert(names[i], i);
     }
 }
@@ -185,7 +188,7 @@ void Foam::deformableCloud::readTypes()
 
 void Foam::deformableCloud::readLoads()
 {
-    if (!dict_.found("loads"))
+    if (!effects_.active("loads"))
     {
         return;
     }
@@ -258,8 +261,22 @@ void Foam::deformableCloud::place()
     if (returnReduce(isFile(written.objectPath()), orOp<bool>()))
     {
         FatalErrorInFunction
-            << written.path() << " holds clumps, but their places, coordinates, "
-            << "are missing" << exit(FatalError);
+            << written.path() << " holds clumps, but their places,"
+            << " coordinates, are missing or cannot be read" << exit(FatalError);
+    }
+
+    // A run that had clumps wrote both; after setClumps there is no state
+    const fileName uniform(mesh_.time().timePath()/"uniform");
+    const bool had =
+        isFile(uniform/"time")
+     && isFile(uniform/cloud::prefix/name()/"cloudProperties");
+    if (returnReduce(had, orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The run that wrote " << mesh_.time().timePath()
+            << " had clumps, but " << written.path() << " holds none." << nl
+            << "    To place them anew, remove " << uniform/cloud::prefix
+            << exit(FatalError);
     }
 
     const dictionary& dict = getDict(dict_, "placement");
@@ -351,126 +368,4 @@ void Foam::deformableCloud::checkOverlaps(const dictionary& dict) const
             }
         }
     );
-}
-
-
-void Foam::deformableCloud::decideEffects()
-{
-    if (effects_.automatic("gravity"))
-    {
-        scalar excess = 0;
-        for (const clumpType& ct : types_)
-        {
-            excess = max(excess, mag(ct.mass() - rho_*ct.volume())/ct.mass());
-        }
-        const bool on = mag(g_) > 0 && excess > 1e-6;
-        effects_.decide
-        (
-            "gravity",
-            on,
-            mag(g_) == 0 ? "no gravity in constant/g"
-          : on ? "densities differ" : "equal densities"
-        );
-    }
-
-    if (effects_.automatic("contact"))
-    {
-        if (!contactModel_->active())
-        {
-            effects_.decide("contact", false, "contactModel none");
-        }
-        else if (nClumps_ < 2 && !ghosts_.meetsItself())
-        {
-            effects_.decide("contact", false, "one clump in the domain");
-        }
-        else
-        {
-            // Boxes meet, or may meet within this step
-            const UList<clumpImage>& images = ghosts_.images();
-            bool near = false;
-            for (label a = 0; a < ghosts_.nOwn() && !near; ++a)
-            {
-                const scalar margin =
-                    2*max(mag(images[a].u))*mesh_.time().deltaTValue();
-                boundBox box(images[a].box);
-                box.min() -= margin*vector::one;
-                box.max() += margin*vector::one;
-                forAll(images, b)
-                {
-                    near = near || (b != a && box.overlaps(images[b].box));
-                }
-            }
-            reduce(near, orOp<bool>());
-            effects_.decide
-            (
-                "contact", near, near ? "clumps are near" : "no clumps are near"
-            );
-        }
-    }
-
-    decideWalls();
-}
-
-
-void Foam::deformableCloud::decideWalls()
-{
-    if (!effects_.automatic("walls"))
-    {
-        if (effects_.active("walls") && !walls_.valid())
-        {
-            walls_.reset(new wallSurface(mesh_, ghosts_));
-        }
-        return;
-    }
-    if (!wallContactModel_->active())
-    {
-        effects_.decide("walls", false, "wallContactModel none");
-        return;
-    }
-
-    // Measured anew only when a clump may have come near since
-    wallClearance_ -= maxSpeed()*mesh_.time().deltaTValue();
-    if (walls_.valid() && wallClearance_ > 0)
-    {
-        return;
-    }
-    if (!walls_.valid())
-    {
-        walls_.reset(new wallSurface(mesh_, ghosts_));
-    }
-
-    scalar gap = GREAT;
-    scalar radius = 0;
-    for (const clumpParcel& p : *this)
-    {
-        if (type(p).fixed())
-        {
-            continue;
-        }
-        const pointField centres(p.centres());
-        forAll(centres, i)
-        {
-            const scalar r = type(p).radii()[i];
-            gap = min(gap, walls_->distance(centres[i], 100*r) - r);
-            radius = max(radius, r);
-        }
-    }
-    reduce(gap, minOp<scalar>());
-    reduce(radius, maxOp<scalar>());
-
-    const bool near = gap < 0.5*radius;
-    wallClearance_ = near ? 0 : gap - 0.5*radius;
-
-    OStringStream reason;
-    if (gap > 98*radius)
-    {
-        reason << "none near";
-    }
-    else
-    {
-        // Two digits: the number is for people
-        reason.precision(2);
-        reason << "nearest " << 1e6*gap << " um";
-    }
-    effects_.decide("walls", near, reason.str());
 }

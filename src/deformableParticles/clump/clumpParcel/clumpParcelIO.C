@@ -165,6 +165,16 @@ void readLists(Cloud<clumpParcel>& c, const word& name, const Getter& own)
     }
 }
 
+//- OpenFOAM's clouds do not ask whether their files are written
+void writeFile(const regIOobject& file, const bool valid)
+{
+    if (!file.write(valid))
+    {
+        FatalErrorInFunction
+            << "cannot write " << file.objectPath() << exit(FatalError);
+    }
+}
+
 template<class Type, class Getter>
 void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get)
 {
@@ -179,7 +189,7 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
         lists[i++] = get(p);
     }
 
-    lists.write(c.size() > 0);
+    writeFile(lists, c.size() > 0);
 }
 
 }
@@ -327,10 +337,10 @@ void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
         overshoots[i] = p.state_.overshoots;
         ++i;
     }
-    typeIds.write(valid);
-    U.write(valid);
-    exchange.write(valid);
-    overshoots.write(valid);
+    writeFile(typeIds, valid);
+    writeFile(U, valid);
+    writeFile(exchange, valid);
+    writeFile(overshoots, valid);
 
     writeLists<vector>
     (

@@ -49,7 +49,7 @@ bool Foam::functionObjects::momentumBalance::read(const dictionary& dict)
 bool Foam::functionObjects::momentumBalance::write()
 {
     const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
-    if (!cloud.wet())
+    if (!cloud.coupled())
     {
         return true;
     }

@@ -11,7 +11,6 @@
 #include "fvMatrices.H"
 #include "zeroGradientFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
-#include "IFstream.H"
 #include "FlatOutput.H"
 #include "entries.H"
 
@@ -39,7 +38,19 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     gradient_(0),
     response_(0),
     responseStep_(0),
-    fresh_(true)
+    fresh_(true),
+    state_
+    (
+        IOobject
+        (
+            name_ + "Properties",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    )
 {
     coeffs_.readEntry("fields", fieldNames_);
     applied_.setSize(fieldNames_.size(), false);
@@ -58,13 +69,11 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     }
     readMeanVelocity();
 
-    IFstream saved
-    (
-        mesh_.time().timePath()/"uniform"/(name_ + "Properties")
-    );
-    if (saved.good())
+    if (state_.headerOk())
     {
-        gradient_ = dictionary(saved).get<scalar>("gradient");
+        state_.readEntry("gradient", gradient_);
+        state_.readIfPresent("response", response_);
+        state_.readIfPresent("responseStep", responseStep_);
         fresh_ = false;
     }
 }
@@ -148,23 +157,9 @@ void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
     Info<< "Mean velocity = " << mean << ", pressure gradient = "
         << gradient_ << endl;
 
-    if (mesh_.time().writeTime())
-    {
-        IOdictionary saved
-        (
-            IOobject
-            (
-                name_ + "Properties",
-                mesh_.time().timeName(),
-                "uniform",
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE
-            )
-        );
-        saved.add("gradient", gradient_);
-        saved.regIOobject::write();
-    }
+    state_.set("gradient", gradient_);
+    state_.set("response", response_);
+    state_.set("responseStep", responseStep_);
 }
 
 

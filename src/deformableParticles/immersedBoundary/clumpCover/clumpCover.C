@@ -15,6 +15,9 @@ void Foam::clumpCover::find
     const clumpImage& image
 )
 {
+    typeId = image.typeId;
+    centres = image.x;
+
     const fvMesh& mesh = geometry.mesh();
     const scalarField& radii = type.radii();
     const scalar smallest = min(radii);

@@ -214,23 +214,28 @@ void Foam::immersedBoundary::update
         solidFraction_ = dimensionedScalar(dimless, Zero);
         solidVelocity_ = dimensionedVector(dimVelocity, Zero);
         strength_ = dimensionedScalar(dimless/dimTime, Zero);
+        covers_.clear();
     }
     else
     {
         clearCovered();
     }
-    covers_ = List<clumpCover>(images.size());
+    covers_.setSize(images.size());
 
     forAll(images, a)
     {
-        const clumpType& type = types_[images[a].typeId];
         clumpCover& c = covers_[a];
-        c.find
-        (
-            geometry_, *solidFractionModel_, *forcingModel_, type, images[a]
-        );
-        c.setWeights(geometry_.mesh(), type, images[a]);
-
+        if (!c.covers(images[a]))
+        {
+            const clumpType& type = types_[images[a].typeId];
+            c = clumpCover();
+            c.find
+            (
+                geometry_, *solidFractionModel_, *forcingModel_, type,
+                images[a]
+            );
+            c.setWeights(geometry_.mesh(), type, images[a]);
+        }
         addFractions(images[a], c);
     }
     setStrengths(images, nu);

@@ -1,0 +1,93 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "accuracyPreset.H"
+
+const char* const Foam::accuracyPreset::text = R"(
+models
+{
+    clumpProperties
+    {
+        rotation        { type clump; }
+        exchange        { type robin; margin 1; }
+        immersedBoundary
+        {
+            solidFraction   { type tetClipping; }
+            forcing         { type sharp; }
+            hydrodynamicForce { type momentumExchange; }
+            interiorDilation yes;
+        }
+    }
+}
+draft
+{
+    measured        "";
+    scene           { spheres 8; cellsPerDiameter 3; }
+    $models;
+    fvSolution
+    {
+        PISO
+        {
+            consistent          yes;
+            momentumPredictor   yes;
+            nOuterCorrectors    1;
+            nCorrectors         1;
+            nNonOrthogonalCorrectors 0;
+        }
+        solvers
+        {
+            "U.*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-12; relTol 0.01; }
+            "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.05; }
+        }
+    }
+    controlDict     { maxCo 2; maxDisplacement 0.25; maxDeltaT 2e-3; }
+}
+standard
+{
+    measured        "";
+    scene           { spheres 10; cellsPerDiameter 4; }
+    $models;
+    fvSolution
+    {
+        PISO
+        {
+            consistent          yes;
+            momentumPredictor   yes;
+            nOuterCorrectors    2;
+            nCorrectors         1;
+            nNonOrthogonalCorrectors 0;
+        }
+        solvers
+        {
+            "U.*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-12; relTol 0.001; }
+            "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.01; }
+        }
+    }
+    controlDict     { maxCo 2; maxDisplacement 0.1; maxDeltaT 1e-3; }
+}
+fine
+{
+    measured        "";
+    scene           { spheres 10; cellsPerDiameter 6; }
+    $models;
+    fvSolution
+    {
+        PISO
+        {
+            consistent          yes;
+            momentumPredictor   yes;
+            nOuterCorrectors    2;
+            nCorrectors         1;
+            nNonOrthogonalCorrectors 0;
+        }
+        solvers
+        {
+            "U.*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-12; relTol 0.001; }
+            "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.001; }
+        }
+    }
+    controlDict     { maxCo 2; maxDisplacement 0.05; maxDeltaT 1e-3; }
+}
+)";

@@ -1,0 +1,121 @@
+"""Error against cost of every numerical choice, scene by scene; the Pareto front, the presets and the paper's choice."""
+
+import sys
+sys.path.append("../shared")
+from results import Results, plt, read, save
+
+unit = {"array": "processor seconds per array", "tether": "processor seconds per simulated second",
+        "shear": "processor seconds per simulated second", "stretching": "processor seconds per curve"}
+title = {"array": "Drag of a cubic array of spheres", "tether": "Drag on the tethered cell",
+         "shear": "Rotation of a free cell in shear", "stretching": "Stretching curve"}
+
+rows = read("data.csv")
+
+
+def value(scene, knob, setting):
+    found = [r["value"] for r in rows if r["scene"] == scene and r["knob"] == knob and r["setting"] == setting]
+    return found[0] if found else None
+
+
+def reference(scene):
+    """The finest mesh, corrected for its time step where a smaller one was run."""
+    same = [r for r in rows if r["scene"] == scene and r["knob"] == "D/dx"]
+    finest = max(same, key=lambda r: r["D_dx"])
+    if scene != "tether":
+        return finest["value"]
+    coarse, small = value("tether", "D/dx", 4), value("tether", "dt", 2.5e-4)
+    return finest["value"] + (small - coarse if coarse and small else 0)
+
+
+points = {scene: [] for scene in title}
+for scene in title:
+    given = scene in ("array", "stretching")        # the value is the error
+    for r in rows:
+        if r["scene"] != scene or r["value"] == "lost":
+            continue
+        error = r["value"] if given else abs(r["value"]/reference(scene) - 1)
+        setting = r["setting"] if isinstance(r["setting"], str) else f"{r['setting']:g}"
+        # What the reference is built from has no error of its own
+        if given or error > 1e-6:
+            points[scene].append((r["cost_s"], error, r["knob"], setting))
+
+
+def literal():
+    """The paper's settings, as validation/tetheredCell measured them."""
+    try:
+        runs = read("../tetheredCell/data.csv")
+    except OSError:
+        return None
+    for r in runs:
+        if r["settings"] == "literal":
+            exact = [x["cell_pN"] for x in runs if x["settings"] == "ours" and x["velocity_um_s"] == r["velocity_um_s"]
+                     and x["deltaT_s"] == 1e-3]
+            return r["seconds_per_step"]/r["deltaT_s"], abs(r["cell_pN"]/exact[0] - 1), "paper", "literal"
+    return None
+
+
+paper = literal()
+if paper:
+    points["tether"].append(paper)
+
+
+def front(scene):
+    best, result = float("inf"), []
+    for point in sorted(points[scene]):
+        if point[1] < best:
+            best = point[1]
+            result.append(point)
+    return result
+
+
+for scene in title:
+    on_front = front(scene)
+    lost = [f"{r['knob']} {r['setting']}" for r in rows if r["scene"] == scene and r["value"] == "lost"]
+    print(f"\n{title[scene]}\n  {'knob':14s} {'setting':18s} {'error':>8s}  {unit[scene]}")
+    for cost, error, knob, setting in sorted(points[scene], key=lambda p: (p[2], p[0])):
+        print(f"  {knob:14s} {setting:18s} {100*error:7.2f} %  {cost:10.3g}"
+              f"{'   Pareto' if (cost, error, knob, setting) in on_front else ''}")
+    for name in lost:
+        print(f"  {name}: lost its stability")
+
+figure, axes = plt.subplots(2, 2, figsize=(12, 9))
+for axis, scene in zip(axes.flat, title):
+    knobs = sorted({p[2] for p in points[scene]} - {"preset", "paper"})
+    for i, knob in enumerate(knobs):
+        own = sorted(p for p in points[scene] if p[2] == knob)
+        line = "-" if knob in ("D/dx", "dt", "N") else "none"
+        axis.plot([p[0] for p in own], [100*p[1] for p in own], "os^vD<>p"[i % 8], ls=line, lw=0.8, ms=5, color=f"C{i}", label=knob)
+        for cost, error, _, setting in own:
+            axis.annotate(setting, (cost, 100*error), fontsize=6, xytext=(3, 3), textcoords="offset points")
+    best = front(scene)
+    axis.plot([p[0] for p in best], [100*p[1] for p in best], "k--", lw=1, label="Pareto front")
+    for cost, error, knob, setting in points[scene]:
+        if knob in ("preset", "paper"):
+            axis.plot(cost, 100*error, "*" if knob == "preset" else "X", color="r", ms=13, zorder=5)
+            axis.annotate("the paper's choice" if knob == "paper" else setting, (cost, 100*error), fontsize=9, color="r",
+                          xytext=(6, -11), textcoords="offset points")
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    axis.set_title(title[scene])
+    axis.set_xlabel(unit[scene])
+    axis.set_ylabel("error [%]")
+    axis.legend(fontsize=7)
+save(figure, "accuracyCost.png")
+
+results = Results()
+presets = {p[3]: p for p in points["tether"] if p[2] == "preset"}
+for name, limit in ("draft", 10), ("standard", 4), ("fine", 1.5):
+    if name in presets:
+        results.add(f"error of preset {name}", 100*presets[name][1], "%", 0, limit, "tethered cell")
+        cheaper = [p[0] for p in points["tether"] if p[1] <= presets[name][1] and p[2] != "preset"]
+        if cheaper:
+            results.add(f"cost of preset {name} over the cheapest of its accuracy", presets[name][0]/min(cheaper), "-",
+                        0, 1.1, "Pareto front")
+if len(presets) == 3:
+    results.add("cost of fine over that of draft", presets["fine"][0]/presets["draft"][0], "-", 60, 40, "20 at least")
+for scene in "array", "tether", "shear":
+    meshes = sorted((p for p in points[scene] if p[2] == "D/dx"), key=lambda p: float(p[3]))
+    if len(meshes) > 1:
+        results.add(f"{scene}: error on the finest over that on the coarsest mesh", meshes[-1][1]/meshes[0][1], "-", 0, 1,
+                    "converges")
+results.write()

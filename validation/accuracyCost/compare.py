@@ -40,25 +40,6 @@ for scene in title:
             points[scene].append((r["cost_s"], error, r["knob"], setting))
 
 
-def literal():
-    """The paper's settings, as validation/tetheredCell measured them."""
-    try:
-        runs = read("../tetheredCell/data.csv")
-    except OSError:
-        return None
-    for r in runs:
-        if r["settings"] == "literal":
-            exact = [x["cell_pN"] for x in runs if x["settings"] == "ours" and x["velocity_um_s"] == r["velocity_um_s"]
-                     and x["deltaT_s"] == 1e-3]
-            return r["seconds_per_step"]/r["deltaT_s"], abs(r["cell_pN"]/exact[0] - 1), "paper", "literal"
-    return None
-
-
-paper = literal()
-if paper:
-    points["tether"].append(paper)
-
-
 def front(scene):
     best, result = float("inf"), []
     for point in sorted(points[scene]):

@@ -34,7 +34,7 @@ for r in runs:
         results.add(f"{r['run']}: diameters at the end, longer over shorter", way[-1]["L1_m"]/way[-1]["L2_m"], "-", 1, 0.3,
                     "recovers its shape")
         through = [w for w in way if w["x_m"] > 60e-6]
-        results.add(f"{r['run']}: way of the cell [um]", 1e6*max(w["x_m"] for w in way), "um", 70, 10,
+        results.add(f"{r['run']}: way of the cell", 1e6*max(w["x_m"] for w in way), "um", 95, 35,
                     "passed the constriction")
         if through:
             inside = [w["t_s"] for w in way if 28e-6 < w["x_m"] < 48e-6]
@@ -56,7 +56,7 @@ for r in runs:
         left.plot([w["t_s"] for w in way], [1e6*distance(w) for w in way], label=r["run"])
         middle.plot([w["t_s"] for w in way], [w["u_m_s"]/mean_velocity for w in way], label=r["run"])
     else:
-        inside = [w for w in way if 15e-6 < w["x_m"] < 70e-6]
+        inside = [w for w in way if 15e-6 < w["x_m"] < 100e-6]
         right.plot([1e6*w["x_m"] for w in inside], [1e6*w["Ly_m"] for w in inside], label=r["run"])
 left.set_xlabel("time [s]")
 left.set_ylabel("distance from the axis [um]")

@@ -30,6 +30,16 @@ results.add("time with auto over that with off", seconds["auto"]/seconds["off"],
 results.add("velocity of the cell with auto over that with all on", speed["auto"]/speed["on"], "-", 1, "0.1%",
             "auto changes nothing")
 results.add("part of the step without a line in the ledger", max(r["rest_percent"] for r in rows), "%", 0, 3, "ledger")
+
+# The ledger's own cost: its calls, each at the price ledgerCost measured
+price = float(open("ledger-cost").read())
+share = 0
+for choice in "auto", "on":
+    n = sum(int(words[2]) for words in (line.split() for line in open(f"ledger-{choice}").readlines()[2:])
+            if len(words) == 5 and words[2].isdigit())
+    share = max(share, 100*n*price/seconds[choice])
+    print(f"ledger, {choice}: {n} calls of {1e9*price:.0f} ns")
+results.add("the ledger's own part of the time", share, "%", 0, 0.5, "calls x price")
 extra = seconds["on"] - seconds["off"]
 print(f"all on: {extra:.3f} s more than off, of which the ledger names {charged:.3f} s in {', '.join(('convection', 'gravity', 'contact', 'walls'))}")
 for r in read("estimates.csv"):

@@ -85,7 +85,7 @@ fine
         solvers
         {
             "U.*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-12; relTol 0.001; }
-            "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.001; }
+            "p.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.01; }
         }
     }
     controlDict     { maxCo 2; maxDisplacement 0.05; maxDeltaT 1e-3; }

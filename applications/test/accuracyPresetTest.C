@@ -47,6 +47,7 @@ TEST_CASE("accuracyPreset: nothing without the entry", "[accuracy][serial]")
 TEST_CASE("accuracyPreset: finer is not looser in anything", "[accuracy][serial]")
 {
     CHECK_THROWS(accuracyPreset(dictOf("accuracy precise;")));
+    CHECK_THROWS(accuracyPreset(dictOf("accuracy common;")));
 
     const accuracyPreset draft(dictOf("accuracy draft;"));
     const accuracyPreset standard(dictOf("accuracy standard;"));

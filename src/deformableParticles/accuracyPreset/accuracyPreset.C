@@ -16,7 +16,8 @@ Foam::accuracyPreset::accuracyPreset(const dictionary& clumpProperties)
     }
 
     clumpProperties.readEntry("accuracy", name_);
-    const dictionary all{IStringStream(text)()};
+    dictionary all{IStringStream(text)()};
+    all.remove("common");
     if (!all.found(name_))
     {
         HashTable<label> valid;

@@ -73,10 +73,12 @@ for axis, scene in zip(axes.flat, title):
     for cost, error, knob, setting in points[scene]:
         if knob in ("preset", "paper"):
             axis.plot(cost, 100*error, "*" if knob == "preset" else "X", color="r", ms=13, zorder=5)
-            axis.annotate("the paper's choice" if knob == "paper" else setting, (cost, 100*error), fontsize=9, color="r",
-                          xytext=(6, -11), textcoords="offset points")
+            paper = knob == "paper"
+            axis.annotate("the paper's choice" if paper else setting, (cost, 100*error), fontsize=9, color="r",
+                          ha="right" if paper else "left", xytext=(-10, -4) if paper else (6, -11),
+                          textcoords="offset points")
     axis.set_xscale("log")
-    axis.set_yscale("log")
+    axis.set_yscale("linear" if scene == "stretching" else "log")
     axis.set_title(title[scene])
     axis.set_xlabel(unit[scene])
     axis.set_ylabel("error [%]")

@@ -171,12 +171,12 @@ void Foam::deformableCloud::readTypes()
     forAll(names, i)
     {
         dictionary type(getDict(types, names[i]));
-        if (!effects_.active("damping"))
+        if (effects_.switchedOff("damping"))
         {
             type.subDictOrAdd("dampingModel").clear();
             type.subDict("dampingModel").set("type", word("none"));
         }
-        if (!effects_.active("conservation"))
+        if (effects_.switchedOff("conservation"))
         {
             type.remove("conservationModel");
         }

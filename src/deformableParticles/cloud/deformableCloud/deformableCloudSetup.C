@@ -9,7 +9,6 @@
 #include "treeDataCell.H"
 #include "uniformDimensionedFields.H"
 #include "OSspecific.H"
-#include "sigFpe.H"
 #include "sphereGrid.H"
 
 namespace
@@ -21,7 +20,7 @@ using namespace Foam;
 //  infinite, and is refused where it is read.
 IOdictionary readProperties(const fvMesh& mesh)
 {
-    const sigFpe::ignore overflow;
+    const anyNumber overflow;
     return IOdictionary
     (
         IOobject
@@ -54,7 +53,7 @@ Foam::deformableCloud::deformableCloud
 )
 :
     // Numbers too large: as in readProperties
-    Cloud<clumpParcel>((sigFpe::ignore(), mesh), name, false),
+    Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
     accuracy_(dict),
     dict_(accuracy_.completed(dict)),

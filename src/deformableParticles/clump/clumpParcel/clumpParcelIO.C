@@ -5,7 +5,6 @@
 
 #include "deformableCloud.H"
 #include "listsFile.H"
-#include "sigFpe.H"
 
 Foam::clumpParcel::clumpParcel
 (
@@ -198,7 +197,7 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
 {
     // What is too large for the machine becomes infinite, and is refused here
-    const sigFpe::ignore overflow;
+    const anyNumber overflow;
 
     // Before OpenFOAM reads and takes them as they are
     label i = 0;

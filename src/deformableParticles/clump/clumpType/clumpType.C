@@ -66,13 +66,6 @@ void Foam::clumpType::setMasses(const dictionary& dict)
     const word massModel(dict.get<word>("massModel"));
 
     volume_ = sphereUnion::volume(centres_, radii_);
-    if (!(volume_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'shape': spheres of " << min(radii_) << " m, up to "
-            << max(mag(centres_)) << " m apart, are too small for their volume"
-            << " to be told from zero" << exit(FatalIOError);
-    }
 
     const scalarField cubes(pow3(radii_));
     const scalar spheres = constant::mathematical::pi*4.0/3.0*sum(cubes);
@@ -81,6 +74,13 @@ void Foam::clumpType::setMasses(const dictionary& dict)
     if (massModel == "union")
     {
         V = volume_;
+        if (!(V > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'shape': spheres of " << min(radii_) << " m, up to "
+                << max(mag(centres_)) << " m from the origin, are too small for"
+                << " their volume to be told from zero" << exit(FatalIOError);
+        }
     }
     else if (massModel == "fullSpheres")
     {

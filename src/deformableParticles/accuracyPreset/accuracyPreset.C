@@ -93,17 +93,20 @@ void Foam::accuracyPreset::complete(const fvMesh& mesh) const
 }
 
 
-Foam::dictionary Foam::accuracyPreset::solver
+const Foam::dictionary& Foam::accuracyPreset::solver
 (
     const fvMesh& mesh,
     const word& field
 ) const
 {
-    const dictionary own
-    (
-        mesh.solutionDict().subOrEmptyDict("solvers").subOrEmptyDict(field)
-    );
-    if (!chosen() || !own.empty())
+    if (!chosen())
+    {
+        return mesh.solverDict(field);
+    }
+
+    const dictionary* solvers = mesh.solutionDict().findDict("solvers");
+    const dictionary* own = solvers ? solvers->findDict(field) : nullptr;
+    if (own && !own->empty())
     {
         return mesh.solverDict(field);
     }

@@ -6,6 +6,41 @@
 #include "deformableCloud.H"
 #include "sphereGrid.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Spheres i of image a and j of image b that touch, with their types and what
+//  leads from j to i
+template<class Action>
+void forEachTouching
+(
+    const ghostExchange& ghosts,
+    const PtrList<clumpType>& types,
+    const Action& action
+)
+{
+    const UList<clumpImage>& images = ghosts.images();
+
+    sphereGrid::forEachContact
+    (
+        images, ghosts.nOwn(), types,
+        [&](const label a, const label i, const label b, const label j)
+        {
+            action
+            (
+                a, i, types[images[a].typeId],
+                b, j, types[images[b].typeId],
+                images[a].x[i] - images[b].x[j]
+            );
+        }
+    );
+}
+
+}
+
+
 void Foam::deformableCloud::addContacts
 (
     List<integrator::externals>& ext
@@ -14,14 +49,16 @@ void Foam::deformableCloud::addContacts
     const effects::timer t(effects_, "contact");
     const UList<clumpImage>& images = ghosts_.images();
 
-    sphereGrid::forEachContact
+    forEachTouching
     (
-        images, ghosts_.nOwn(), types_,
-        [&](const label a, const label i, const label b, const label j)
+        ghosts_, types_,
+        [&]
+        (
+            const label a, const label i, const clumpType& ta,
+            const label b, const label j, const clumpType& tb,
+            const vector& d
+        )
         {
-            const clumpType& ta = types_[images[a].typeId];
-            const clumpType& tb = types_[images[b].typeId];
-            const vector d(images[a].x[i] - images[b].x[j]);
             const scalar distance = mag(d);
 
             // Coincident centres have no direction to part in
@@ -83,18 +120,18 @@ Foam::label Foam::deformableCloud::contactSubSteps
     // Contacts between clumps are explicit: a sub-step h is stable while
     // m/h^2 + zeta/h exceeds twice the stiffness
     label nSub = 1;
-    const UList<clumpImage>& images = ghosts_.images();
-
-    sphereGrid::forEachContact
+    forEachTouching
     (
-        images, ghosts_.nOwn(), types_,
-        [&](const label a, const label i, const label b, const label j)
+        ghosts_, types_,
+        [&]
+        (
+            const label a, const label i, const clumpType& ta,
+            const label b, const label j, const clumpType& tb,
+            const vector& d
+        )
         {
-            const clumpType& ta = types_[images[a].typeId];
-            const clumpType& tb = types_[images[b].typeId];
             const scalar overlap =
-                ta.radii()[i] + tb.radii()[j]
-              - mag(images[a].x[i] - images[b].x[j]);
+                ta.radii()[i] + tb.radii()[j] - mag(d);
 
             const scalar k =
                 4*contactModel_->stiffness
@@ -110,4 +147,38 @@ Foam::label Foam::deformableCloud::contactSubSteps
     );
 
     return returnReduce(nSub, maxOp<label>());
+}
+
+
+void Foam::deformableCloud::checkOverlaps(const dictionary& dict) const
+{
+    if (!contactModel_->active() || !effects_.active("contact"))
+    {
+        return;
+    }
+
+    const UList<clumpImage>& images = ghosts_.images();
+
+    forEachTouching
+    (
+        ghosts_, types_,
+        [&]
+        (
+            const label a, const label i, const clumpType& ta,
+            const label b, const label j, const clumpType& tb,
+            const vector& d
+        )
+        {
+            if (mag(d) < max(ta.radii()[i], tb.radii()[j]))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry position: sphere " << i << " of clump "
+                    << images[a].id.second() << " of type " << ta.name()
+                    << " and sphere " << j << " of clump "
+                    << images[b].id.second() << " of type " << tb.name()
+                    << " lie inside each other at " << images[a].x[i]
+                    << exit(FatalIOError);
+            }
+        }
+    );
 }

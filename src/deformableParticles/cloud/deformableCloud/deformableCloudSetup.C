@@ -9,7 +9,6 @@
 #include "treeDataCell.H"
 #include "uniformDimensionedFields.H"
 #include "OSspecific.H"
-#include "sphereGrid.H"
 
 namespace
 {
@@ -331,40 +330,4 @@ void Foam::deformableCloud::place()
 
     nClumps_ = start.clumps().size();
     Info<< "Placed " << nClumps_ << " clumps" << endl;
-}
-
-
-void Foam::deformableCloud::checkOverlaps(const dictionary& dict) const
-{
-    if (!contactModel_->active() || !effects_.active("contact"))
-    {
-        return;
-    }
-
-    const UList<clumpImage>& images = ghosts_.images();
-
-    sphereGrid::forEachContact
-    (
-        images, ghosts_.nOwn(), types_,
-        [&](const label a, const label i, const label b, const label j)
-        {
-            const clumpType& ta = types_[images[a].typeId];
-            const clumpType& tb = types_[images[b].typeId];
-
-            if
-            (
-                mag(images[a].x[i] - images[b].x[j])
-              < max(ta.radii()[i], tb.radii()[j])
-            )
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Entry position: sphere " << i << " of clump "
-                    << images[a].id.second() << " of type " << ta.name()
-                    << " and sphere " << j << " of clump "
-                    << images[b].id.second() << " of type " << tb.name()
-                    << " lie inside each other at " << images[a].x[i]
-                    << exit(FatalIOError);
-            }
-        }
-    );
 }

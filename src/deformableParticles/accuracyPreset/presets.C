@@ -26,7 +26,7 @@ common
         {
             consistent          yes;
             momentumPredictor   yes;
-            nOuterCorrectors    2;
+            nOuterCorrectors    1;
             nCorrectors         1;
             nNonOrthogonalCorrectors 0;
         }
@@ -44,23 +44,22 @@ draft
     $common;
     fvSolution
     {
-        PISO    { nOuterCorrectors 1; }
         solvers { "U.*" { relTol 0.01; } "p.*" { relTol 0.05; } }
     }
-    controlDict     { maxCo 2; maxDisplacement 0.25; maxDeltaT 2e-3; }
+    controlDict     { maxCo 5; maxDisplacement 0.25; maxDeltaT 4e-3; }
 }
 standard
 {
     measured        "drag on the tethered cell 0.3 % off; 266 processor seconds per simulated second";
     scene           { spheres 10; cellsPerDiameter 4; }
     $common;
-    controlDict     { maxCo 2; maxDisplacement 0.1; maxDeltaT 1e-3; }
+    controlDict     { maxCo 5; maxDisplacement 0.1; maxDeltaT 4e-3; }
 }
 fine
 {
     measured        "drag on the tethered cell 0.0 % off; 1560 processor seconds per simulated second";
     scene           { spheres 10; cellsPerDiameter 6; }
     $common;
-    controlDict     { maxCo 2; maxDisplacement 0.05; maxDeltaT 1e-3; }
+    controlDict     { maxCo 5; maxDisplacement 0.05; maxDeltaT 2e-3; }
 }
 )";

@@ -316,6 +316,7 @@ void Foam::deformableCloud::advance(const scalar dt)
         }
     }
 
+    overshoots_ = false;
     index = 0;
     for (clumpParcel& parcel : *this)
     {
@@ -374,9 +375,14 @@ void Foam::deformableCloud::adaptExchange
     const bool unstable =
         s.overshoots > 1
      || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(s.u)));
-    s.exchange = unstable ? 2*s.exchange : max(0.98*s.exchange, 1.0);
     last = now;
+    overshoots_ = overshoots_ || unstable;
+    if (!exchangeModel_->damps())
+    {
+        return;
+    }
 
+    s.exchange = unstable ? 2*s.exchange : max(0.98*s.exchange, 1.0);
     if (unstable)
     {
         Pout<< "Clump " << parcel.origId() << ": exchange overshoots, margin times "
@@ -446,6 +452,14 @@ Foam::scalar Foam::deformableCloud::maxStrokeRate() const
         result = max(result, max(mag(p.state().u)/type(p).radii()));
     }
     return returnReduce(result, maxOp<scalar>());
+}
+
+
+bool Foam::deformableCloud::needsShorterStep() const
+{
+    return
+        coupled() && !exchangeModel_->damps()
+     && returnReduce(overshoots_, orOp<bool>());
 }
 
 

@@ -66,6 +66,7 @@ Foam::deformableCloud::deformableCloud
     ),
     rho_(0),
     mu_(0),
+    overshoots_(false),
     g_(Zero),
     nClumps_(0),
     wallClearance_(0)

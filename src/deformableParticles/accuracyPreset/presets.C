@@ -39,7 +39,7 @@ common
 }
 draft
 {
-    measured        "drag on the tethered cell 0.4 % off, shape 1.5 %; 25 processor seconds per simulated second";
+    measured        "tethered cell: drag 0.5 % off, 14 s per simulated second; free cell: rotation 4.8 %, 5 s";
     scene           { spheres 8; cellsPerDiameter 3; }
     $common;
     fvSolution
@@ -50,14 +50,14 @@ draft
 }
 standard
 {
-    measured        "drag on the tethered cell 0.3 % off; 266 processor seconds per simulated second";
+    measured        "tethered cell: drag 0.2 % off, 50 s per simulated second; free cell: rotation 1.8 %, 25 s";
     scene           { spheres 10; cellsPerDiameter 4; }
     $common;
     controlDict     { maxCo 5; maxDisplacement 0.1; maxDeltaT 4e-3; }
 }
 fine
 {
-    measured        "drag on the tethered cell 0.0 % off; 1560 processor seconds per simulated second";
+    measured        "tethered cell: drag 0.1 % off, 430 s per simulated second; free cell: rotation 0.7 %, 190 s";
     scene           { spheres 10; cellsPerDiameter 6; }
     $common;
     controlDict     { maxCo 5; maxDisplacement 0.05; maxDeltaT 2e-3; }

@@ -92,6 +92,7 @@ Foam::functionObjects::clumpShape::clumpShape
 
 bool Foam::functionObjects::clumpShape::read(const dictionary& dict)
 {
+    refuseMisspelt(dict, {"cloud", "flow", "gradient", "marked"});
     marked_ = dict.found("marked") ? getNumber(dict, "marked", 0, 9999) : 0;
     return clumpTable::read(dict);
 }

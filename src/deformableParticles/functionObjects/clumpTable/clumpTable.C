@@ -57,6 +57,7 @@ void Foam::functionObjects::clumpTable::start(const dictionary& dict)
 
 bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
 {
+    refuseMisspelt(dict, {"cloud", "flow", "gradient"});
     cloudName_ = deformableCloud::find(mesh_, dict).name();
     flow_ = direction(dict, "flow", vector(1, 0, 0));
     gradient_ = direction(dict, "gradient", vector(0, 1, 0));

@@ -41,6 +41,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
 
 bool Foam::functionObjects::momentumBalance::read(const dictionary& dict)
 {
+    refuseMisspelt(dict, {"cloud"});
     cloudName_ = deformableCloud::find(mesh_, dict).name();
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }

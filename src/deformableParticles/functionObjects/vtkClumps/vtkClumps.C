@@ -134,6 +134,7 @@ Foam::functionObjects::vtkClumps::vtkClumps
 
 bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
 {
+    refuseMisspelt(dict, {"cloud"});
     cloudName_ = deformableCloud::find(mesh_, dict).name();
     return fvMeshFunctionObject::read(dict);
 }

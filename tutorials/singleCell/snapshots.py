@@ -2,8 +2,8 @@
 
     python3 snapshots.py together|panels <number> <x:r> <x:r> ...
 
-together: all times in one picture, panels: one picture each, moving with the clump. Lengths in um; the spheres are
-those of VTK/clumps, sphere 0 is marked. Writes result.png.
+together: all times in one picture, as many as fit, panels: one picture each at equal intervals, moving with the clump.
+Lengths in um; the spheres are those of VTK/clumps, sphere 0 is marked. Writes result.png.
 """
 
 import glob
@@ -24,7 +24,11 @@ with open("VTK/clumps/spheres.vtp.series") as series:
     times = [float(t) for t in re.findall(r'"time" *: *([-+.\de]+)', series.read())]
 if len(times) < 2:
     sys.exit("No spheres in VTK/clumps")
-chosen = [round(i*(len(times) - 1)/(number - 1)) for i in range(number)]
+if together:
+    chosen = [round(i*(len(times) - 1)/(number - 1)) for i in range(number)]
+else:
+    stride = max((len(times) - 1)//(number - 1), 1)
+    chosen = [max(len(times) - 1 - i*stride, 0) for i in reversed(range(number))]
 
 
 def spheres(path):
@@ -41,8 +45,12 @@ if together:
 else:
     figure, panels = plt.subplots(1, number, figsize=(2*number, 2.6), sharey=True)
 
+drawn_to = -1e9
 for i, (axes, k) in enumerate(zip(panels, chosen)):
     x, radii = spheres(files[k])
+    if together and (x[:, 0] - radii).min() < drawn_to:
+        continue
+    drawn_to = (x[:, 0] + radii).max()
     shift = 0 if together else x[:, 0].mean()
     for j, (centre, radius) in enumerate(zip(x, radii)):
         axes.add_patch(plt.Circle((centre[0] - shift, centre[1]), radius, lw=0, alpha=0.6,

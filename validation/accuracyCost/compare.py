@@ -59,15 +59,19 @@ for scene in title:
     for name in lost:
         print(f"  {name}: lost its stability")
 
-figure, axes = plt.subplots(2, 2, figsize=(12, 9))
+# Of the knobs with a scale every setting is written beside its point, of the others beside the knob's name
+scales = ("D/dx", "dt", "N", "refinement")
+figure, axes = plt.subplots(2, 2, figsize=(17, 10))
 for axis, scene in zip(axes.flat, title):
     knobs = sorted({p[2] for p in points[scene]} - {"preset", "paper"})
     for i, knob in enumerate(knobs):
         own = sorted(p for p in points[scene] if p[2] == knob)
         line = "-" if knob in ("D/dx", "dt", "N") else "none"
-        axis.plot([p[0] for p in own], [100*p[1] for p in own], "os^vD<>p"[i % 8], ls=line, lw=0.8, ms=5, color=f"C{i}", label=knob)
-        for cost, error, _, setting in own:
-            axis.annotate(setting, (cost, 100*error), fontsize=6, xytext=(3, 3), textcoords="offset points")
+        name = knob if knob in scales else f"{knob}: {', '.join(p[3] for p in own)}"
+        axis.plot([p[0] for p in own], [100*p[1] for p in own], "os^vD<>phX*"[i % 11], ls=line, lw=0.8, ms=6,
+                  color=plt.cm.tab20(i), label=name)
+        for cost, error, _, setting in own if knob in scales else ():
+            axis.annotate(setting, (cost, 100*error), fontsize=7, xytext=(4, 4), textcoords="offset points")
     best = front(scene)
     axis.plot([p[0] for p in best], [100*p[1] for p in best], "k--", lw=1, label="Pareto front")
     for cost, error, knob, setting in points[scene]:
@@ -82,7 +86,7 @@ for axis, scene in zip(axes.flat, title):
     axis.set_title(title[scene])
     axis.set_xlabel(unit[scene])
     axis.set_ylabel("error [%]")
-    axis.legend(fontsize=7)
+    axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1))
 save(figure, "accuracyCost.png")
 
 results = Results()

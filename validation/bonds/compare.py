@@ -5,6 +5,7 @@ import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from matplotlib import colormaps
 import results as r
 
 REFERENCE = "reference/beam_ring_references.csv"
@@ -102,8 +103,10 @@ for k, (name, values) in enumerate(curves.items()):
     # Towards the limit that the two finest give at second order
     limit = values[64] + (values[64] - values[32])/3
     axes[0][0].loglog(list(values), [100*abs(v/limit - 1) for v in values.values()], "o-s-^-v-d-"[2*(k//3):2*(k//3) + 2],
-                      ms=3, lw=1, label=name)
+                      ms=3, lw=1, color=colormaps["tab20"](k), label=name)
 axes[0][0].loglog([8, 64], [6, 6/64], "k--", lw=0.8, label="second order")
+axes[0][0].set_xticks([4, 8, 16, 32, 64], ["4", "8", "16", "32", "64"])
+axes[0][0].minorticks_off()
 axes[0][0].set(xlabel="bonds", ylabel="distance from the limit (%)", xlim=(3.5, 70))
 axes[0][0].legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
 for q in (1, 2):

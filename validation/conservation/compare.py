@@ -37,7 +37,7 @@ for ranks in "124":
     balance = [float(row[-1]) for row in table(ranks, "momentumBalance")]
     results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0, "1e-10",
                 "Newton: what the clumps gain the fluid loses")
-    left.semilogy(range(1, len(balance) + 1), balance, label=f"third law, {ranks} ranks")
+    left.semilogy(range(1, len(balance) + 1), balance, label=f"third law, ranks: {ranks}")
 
 for case, name in ("none", "a force instead of cells"), ("1", "two cells"):
     left.semilogy(range(1, len(continuity(case)) + 1), continuity(case), ls="--", label=f"continuity, {name}")
@@ -76,7 +76,8 @@ for resolution in sorted({r["D_dx"] for r in data}):
 
 left.set_xlabel("step")
 left.set_ylabel("relative error")
-left.legend(fontsize=8, loc="center right")
+left.set_ylim(1e-19, None)
+left.legend(fontsize=8, loc="lower center", ncol=2)
 right.set_xlabel("D/dx")
 right.set_ylabel("drag over velocity [pN s/um]")
 right.legend()

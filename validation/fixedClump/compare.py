@@ -44,10 +44,11 @@ for (body, orientation, resolution), runs in groups.items():
 
 for (body, orientation), points in marks.items():
     shift = 0.05*(list(marks).index((body, orientation)) - len(marks)/2)
-    axes.errorbar([p[0] + shift*p[0]/4 for p in points], [p[1] for p in points], [p[2] for p in points],
+    axes.errorbar([p[0] + shift for p in points], [p[1] for p in points], [p[2] for p in points],
                   marker="o" if orientation == "broadside" else "s", ms=5, capsize=3, lw=1,
                   label=f"{body}, {orientation}")
 axes.axhline(1, color="k", lw=1)
+axes.set_xticks([4, 8])
 axes.set_xlabel("sphere diameter / dx")
 axes.set_ylabel("drag / reference")
 axes.legend(fontsize=8)

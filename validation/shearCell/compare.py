@@ -113,14 +113,15 @@ for run in sorted(everywhere, key=lambda r: (r["D_dx"], r["shift_x"], r["deltaT_
     left.plot(times, [r[4] for r in rows], label=label, **style)
     if run["D_dx"] == 4 and not run["shift_x"]:
         for column in 1, 2:
-            middle.plot(times, [1e6*r[column] for r in rows], label=label if column == 1 else None, **style)
+            middle.plot(times, [1e6*r[column] for r in rows], **{**style, "color": "C0" if column == 1 else "C1"},
+                        label=("longest, " if column == 1 else "shortest, ") + f"{run['deltaT_s']:.0e} s")
 for axes, label in (left, "rotation [1/s]"), (middle, "longest and shortest diameter [um]"):
     axes.set_xlabel("time [ms]")
     axes.set_ylabel(label)
 left.set_ylim(85, 113)
 middle.set_ylim(7.4, 8.2)
-for axes in left, middle:
-    axes.legend(title="D/dx, step", title_fontsize=7, fontsize=7, ncol=2, loc="upper right")
+for axes, title in (left, "D/dx, step"), (middle, "D/dx = 4"):
+    axes.legend(title=title, title_fontsize=7, fontsize=7, ncol=2, loc="upper right")
 for central, style, label in (False, "C0o", "other places"), (True, "C3s", "middle of the box, as on the left"):
     some = [r for r in stiff if (r["shift_x"] == r["shift_y"] == 0) == central]
     right.plot([r["D_dx"] for r in some], [-r["rate"] for r in some], style, ms=5, mfc="none", label=label)

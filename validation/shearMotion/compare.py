@@ -37,7 +37,7 @@ results = Results()
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2))
 points = []
 
-for run in read("data.csv"):
+for run in sorted(read("data.csv"), key=lambda r: r["shear_rate"]):
     rows = [r for r in read(run["file"]) if r["t_s"] > run["end_s"]/2]
     stress = 1e-3*run["viscosity_mPas"]*run["shear_rate"]
     kind, swing = motion(rows)
@@ -64,7 +64,7 @@ for run in read("data.csv"):
 left.errorbar([r["mean_shear_rate"] for r in reference], [r["mean_f_over_g"] for r in reference],
               [r["sd"] for r in reference], fmt="ko", mfc="none", capsize=3, label="red blood cells, Fischer")
 left.plot(*zip(*sorted(points)), "C0s-", label="ring of ten spheres")
-left.axhline(1/(4*math.pi), color="C7", ls=":", label="rigid disc, $1/4\\pi$")
+left.axhline(1/(4*math.pi), color="C7", ls=":", label="rigid disc, $1/(4\\pi)$")
 left.set_xscale("log")
 left.set_ylim(0, 0.09)
 left.set_xlabel("shear rate [1/s]")

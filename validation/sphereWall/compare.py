@@ -27,7 +27,7 @@ for (direction, gap, resolution, width), values in groups.items():
                     "5%" if resolution < 8 else "3%", source[direction])
 for colour, direction in enumerate(exact):
     gaps = sorted(g for g in exact[direction] if 0.25 < g <= 5)
-    axes.plot(gaps, [exact[direction][g] for g in gaps], color=f"C{colour}", label=f"{direction}, exact")
+    axes.plot(gaps, [exact[direction][g] for g in gaps], ".-", ms=4, color=f"C{colour}", label=f"{direction}, exact (tabulated)")
     for resolution, mark in (4, "o"), (8, "s"):
         points = [(k[1], mean(v)) for k, v in groups.items() if k[0] == direction and k[2] == resolution]
         if points:

@@ -49,15 +49,23 @@ if fine:
     speeds = [mean([w["u_m_s"] for w in ways[r["run"]][len(ways[r["run"]])//2:]]) for r in (coarse[0], fine[0])]
     results.add("speed at D/dx 4 over that at 6", speeds[0]/speeds[1], "-", 1, 0.04, "grid convergence")
 
+
+
+def label(run):
+    """tube-4-0.5-facing: D/dx, start beside the axis, how it lies; capillary-5: its width."""
+    part = run["run"].split("-")
+    return f"D/dx {part[1]}, {part[2]} um aside, {part[3]}" if part[0] == "tube" else f"capillary of {part[1]} um"
+
+
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4))
 for r in runs:
     way = ways[r["run"]]
     if r["kind"] == "tubeFlow":
-        left.plot([w["t_s"] for w in way], [1e6*distance(w) for w in way], label=r["run"])
-        middle.plot([w["t_s"] for w in way], [w["u_m_s"]/mean_velocity for w in way], label=r["run"])
+        left.plot([w["t_s"] for w in way], [1e6*distance(w) for w in way], label=label(r))
+        middle.plot([w["t_s"] for w in way], [w["u_m_s"]/mean_velocity for w in way], label=label(r))
     else:
         inside = [w for w in way if 15e-6 < w["x_m"] < 100e-6]
-        right.plot([1e6*w["x_m"] for w in inside], [1e6*w["Ly_m"] for w in inside], label=r["run"])
+        right.plot([1e6*w["x_m"] for w in inside], [1e6*w["Ly_m"] for w in inside], label=label(r))
 left.set_xlabel("time [s]")
 left.set_ylabel("distance from the axis [um]")
 left.set_ylim(0, None)
@@ -65,6 +73,7 @@ middle.set_xlabel("time [s]")
 middle.set_ylabel("speed / mean velocity")
 middle.set_ylim(1, 2)
 right.set_xlabel("place of the cell [um]")
+right.axhline(10, color="k", ls=":", lw=1, label="tube")
 right.set_ylabel("width of the cell [um]")
 for axes in left, right:
     axes.legend(fontsize=7)

@@ -24,11 +24,11 @@ r.write_table("data.csv", ["case", "run", "value"], data)
 out = r.Results()
 speed = max(runs["explicit undamped"])
 out.add("explicit, six stiffnesses: time per million sphere-steps", 1e3/speed, "ms", 0, round(1e3/30, 1),
-        "aim of this project: 30 million a second")
+        "wanted: 30 million a second")
 for case, values in runs.items():
     # Steps of 1 ms, in which the cells of this test turn a twentieth of a radian, take more iterations: data.csv
     if case.startswith("implicit") and float(case.split()[2]) < 1e-3:
-        out.add(f"{case}: time per clump and step", min(values), "us", 0, 20, "aim of this project")
+        out.add(f"{case}: time per clump and step", min(values), "us", 0, 20, "wanted")
 out.write()
 
 print()

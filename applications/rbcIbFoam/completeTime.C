@@ -7,6 +7,8 @@
 #include "cutShort.H"
 #include "IOdictionary.H"
 #include "OFstream.H"
+#include "PstreamReduceOps.H"
+#include "HashSet.H"
 #include <csignal>
 
 namespace

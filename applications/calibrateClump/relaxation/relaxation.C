@@ -6,6 +6,7 @@
 #include "relaxation.H"
 #include "equilibrium.H"
 #include "implicitEuler.H"
+#include "StringStream.H"
 
 namespace Foam
 {

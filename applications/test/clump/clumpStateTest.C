@@ -5,7 +5,7 @@
 
 #include "catch2/catch.hpp"
 #include "testCase.H"
-#include "OStringStream.H"
+#include "StringStream.H"
 
 using namespace Foam;
 

@@ -6,7 +6,7 @@
 #include "catch2/catch.hpp"
 #include "testCase.H"
 #include "effects.H"
-#include "OStringStream.H"
+#include "StringStream.H"
 
 using namespace Foam;
 

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "accuracyPreset.H"
-#include "IStringStream.H"
+#include "StringStream.H"
 #include "HashTable.H"
 #include "messageStream.H"
 

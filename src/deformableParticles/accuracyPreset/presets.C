@@ -14,7 +14,7 @@ common
         exchange        { type robin; margin 1; }
         immersedBoundary
         {
-            solidFraction   { type tetClipping; }
+            solidFraction   { type signedDistance; }
             forcing         { type sharp; }
             hydrodynamicForce { type momentumExchange; }
             interiorDilation yes;

@@ -5,6 +5,7 @@
 
 #include "deformableCloud.H"
 #include "uniformDimensionedFields.H"
+#include "StringStream.H"
 
 void Foam::deformableCloud::decideOnce()
 {

@@ -236,7 +236,7 @@ void Foam::deformableCloud::restart()
     }
     Pstream::gatherList(ids);
 
-    HashSet<labelPair, labelPair::Hash<>> seen;
+    HashSet<labelPair, Hash<labelPair>> seen;
     for (const labelPairList& part : ids)
     {
         for (const labelPair& id : part)

@@ -177,7 +177,7 @@ void writeFile(const regIOobject& file, const bool valid)
 template<class Type, class Getter>
 void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get)
 {
-    CompactIOField<Field<Type>, Type> lists
+    typename compactLists<Type>::type lists
     (
         c.fieldIOobject(name, IOobject::NO_READ), c.size()
     );

@@ -6,6 +6,7 @@
 #include "clumpTable.H"
 #include "deformableCloud.H"
 #include "SortableList.H"
+#include "StringStream.H"
 
 Foam::functionObjects::clumpTable::clumpTable
 (

@@ -18,7 +18,7 @@ Description
 #include "integrator.H"
 #include "velocityVerlet.H"
 #include "equilibrium.H"
-#include "IStringStream.H"
+#include "StringStream.H"
 #include "Random.H"
 #include "cpuTime.H"
 #include <cstdio>

@@ -49,7 +49,7 @@ void Foam::clumpShapes::shape::check(const dictionary& dict) const
         }
     }
 
-    HashSet<labelPair, labelPair::Hash<>> seen;
+    HashSet<labelPair, Hash<labelPair>> seen;
 
     forAll(bonds_, b)
     {

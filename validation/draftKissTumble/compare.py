@@ -66,8 +66,8 @@ axes[0].plot(dns["separation onset (1.02 d)"], 1.02, "ko")
 axes[1].plot([25, 28, dns["pair horizontal (90 deg)"]],
              [dns["tilt at t=25 (frictionless)"], dns["tilt at t=28"], 90], "ko", label="DNS")
 axes[2].plot(KISS, -dns["v_trailer just before contact"], "ko", label="DNS")
-for panel, name in zip(axes, ("distance of the centres / d", "tilt of the pair [degrees]", "settling velocity")):
-    panel.set_xlabel("time")
+for panel, name in zip(axes, ("distance of the centres / d", "tilt of the pair [degrees]", "settling velocity / $(g d)^{1/2}$")):
+    panel.set_xlabel("time / $(d/g)^{1/2}$")
     panel.set_ylabel(name)
     panel.legend(fontsize=8)
 save(figure, "draftKissTumble.png")

@@ -7,13 +7,15 @@ from results import Results, plt, read, save
 reference = {r["case"]: r for r in read("reference/tencate2002_params_and_peaks.csv")}
 curves = read("reference/tencate2002_curves.csv")
 runs = read("data.csv")
-finest = max(r["D_dx"] for r in runs)
+uniform = [r for r in runs if r["refined"] == "no"]
+finest = max(r["D_dx"] for r in uniform)
 
 results = Results()
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2))
 for r in runs:
     peak = reference[r["case"]]["u_max_exp_m_s"]
-    results.add(f"peak velocity {r['case']} D/dx {r['D_dx']:g}", r["peak_m_s"], "m/s", peak,
+    mesh = f"{r['D_dx']:g}" + ("" if r["refined"] == "no" else f" to {2*r['D_dx']:g}")
+    results.add(f"peak velocity {r['case']} D/dx {mesh}", r["peak_m_s"], "m/s", peak,
                 "6%" if r["case"] == "E1" else "3%",
                 "ten Cate et al. 2002, Table II, reference/tencate2002_params_and_peaks.csv")
 
@@ -22,8 +24,8 @@ for colour, case in enumerate(("E1", "E2", "E4")):
         points = [c for c in curves if (c["src"], c["case"], c["quantity"]) == ("ff", case, quantity)]
         axes.plot([c["t_s"] for c in points], [c["value"] for c in points], "o", mfc="none", ms=4,
                   color=f"C{colour}")
-        for resolution in sorted({r["D_dx"] for r in runs}):
-            if not any((r["case"], r["D_dx"]) == (case, resolution) for r in runs):
+        for resolution in sorted({r["D_dx"] for r in uniform}):
+            if not any((r["case"], r["D_dx"]) == (case, resolution) for r in uniform):
                 continue
             rows = read(f"data-{case}-{resolution:g}.csv")
             axes.plot([r["t_s"] for r in rows], [r[column] for r in rows], color=f"C{colour}",

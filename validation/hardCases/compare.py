@@ -32,7 +32,7 @@ for run in runs:
         results.add(f"{run['name']}: longest diameter long after the release / D", run["last_m"]/diameter, "-", 1, 0.05,
                     "recovers its shape")
 
-groups = [("damping ratio beta", [r for r in runs if r["name"].startswith(("beta", "explicit"))],
+groups = [("damping ratio beta", [r for r in runs if r["name"].startswith("beta") or r["name"] == "explicit exchange"],
            lambda r: r["name"].replace("beta ", "").replace(" exchange", "\nexchange")),
           ("D/dx", [r for r in runs if r["name"].startswith("D/dx")], lambda r: f"{r['D_dx']:g}")]
 figure, panels = plt.subplots(1, 2, figsize=(11, 4))

@@ -98,7 +98,7 @@ int main(int argc, char* argv[])
         for (label step = 0; step < steps; ++step)
         {
             ++runTime;
-            cells.immerse(nu, p.needReference());
+            cells.immerse(nu);
             while (piso.loop())
             {
                 #include "UEqn.H"

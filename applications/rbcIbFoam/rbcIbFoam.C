@@ -128,7 +128,7 @@ int main(int argc, char* argv[])
         extrapolation.beginStep();
         if (cells.coupled())
         {
-            cells.immerse(nu, p.needReference());
+            cells.immerse(nu);
         }
 
         while (piso.loop())

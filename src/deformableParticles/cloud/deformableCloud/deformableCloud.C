@@ -137,11 +137,6 @@ void Foam::deformableCloud::advance(const scalar dt)
 
     for (label sub = 0; sub < nSub; ++sub)
     {
-        if (sub)
-        {
-            ghosts_.update(*this);
-        }
-
         List<integrator::externals> ext(steady);
 
         if (loads_.size())
@@ -150,6 +145,8 @@ void Foam::deformableCloud::advance(const scalar dt)
         }
         if (touching)
         {
+            const effects::timer t(effects_, "contact");
+            contactGhosts_.update(*this);
             addContacts(ext);
         }
         if (effects_.active("walls"))

@@ -46,12 +46,11 @@ void Foam::deformableCloud::addContacts
     List<integrator::externals>& ext
 ) const
 {
-    const effects::timer t(effects_, "contact");
-    const UList<clumpImage>& images = ghosts_.images();
+    const UList<clumpImage>& images = contactGhosts_.images();
 
     forEachTouching
     (
-        ghosts_, types_,
+        contactGhosts_, types_,
         [&]
         (
             const label a, const label i, const clumpType& ta,

@@ -7,14 +7,15 @@
 
 Foam::vectorField Foam::deformableCloud::imposedSpins
 (
-    const clumpParcel& p
+    const clumpType& type,
+    const clumpState& s
 ) const
 {
     if (!rotationModel_.valid())
     {
-        return vectorField(type(p).size(), Zero);
+        return vectorField(type.size(), Zero);
     }
-    return rotationModel_->spins(type(p), p.state());
+    return rotationModel_->spins(type, s);
 }
 
 
@@ -36,8 +37,7 @@ void Foam::deformableCloud::meshChanged()
 
 void Foam::deformableCloud::immerse
 (
-    const volScalarField& nu,
-    const bool closed
+    const volScalarField& nu
 )
 {
     imposed_.setSize(size());
@@ -56,7 +56,21 @@ void Foam::deformableCloud::immerse
         ghosts_.update(*this);
     }
     const effects::timer t(effects_, "solid fraction");
-    immersedBoundary_->update(ghosts_.images(), nu, closed);
+    immersedBoundary_->update(ghosts_.images(), nu);
+    ghosts_.returnDilations();
+    impose();
+}
+
+
+void Foam::deformableCloud::impose()
+{
+    for (label i = 0; i < ghosts_.nOwn(); ++i)
+    {
+        clumpImage& image = ghosts_.images()[i];
+        image.dilation.removeFrom(image.u, image.spin);
+    }
+    ghosts_.updateVelocities();
+    immersedBoundary_->impose(ghosts_.images());
 }
 
 
@@ -83,27 +97,24 @@ void Foam::deformableCloud::iterate
     index = 0;
     for (clumpParcel& parcel : *this)
     {
-        imposed_[index].u = parcel.state().u;
-        imposed_[index].w = parcel.state().w;
+        clumpState trial(start[index]);
+        trial.u = parcel.state().u;
+        trial.w = parcel.state().w;
+        imposed_[index].u = trial.u;
+        imposed_[index].w = trial.w;
+
+        clumpImage& image = ghosts_.images()[index];
+        image.u = trial.u;
+        image.spin = imposedSpins(type(parcel), trial);
+
         start[index].exchange = parcel.state().exchange;
         start[index].overshoots = parcel.state().overshoots;
         parcel.state() = start[index];
-        parcel.state().u = imposed_[index].u;
-        parcel.state().w = imposed_[index].w;
         ++index;
-    }
-    {
-        const effects::timer t(effects_, "ghosts");
-        ghosts_.update(*this);
-    }
-    index = 0;
-    for (clumpParcel& parcel : *this)
-    {
-        parcel.state() = start[index++];
     }
 
     const effects::timer t(effects_, "solid fraction");
-    immersedBoundary_->impose(ghosts_.images());
+    impose();
 }
 
 
@@ -129,7 +140,8 @@ void Foam::deformableCloud::gatherForces
     label index = 0;
     for (clumpParcel& parcel : *this)
     {
-        const clumpImage& image = ghosts_.images()[index++];
+        clumpImage& image = ghosts_.images()[index++];
+        image.dilation.removeFromForces(image.force, image.torque);
         parcel.fluidForces() = image.force;
         parcel.fluidTorques() = Zero;
 

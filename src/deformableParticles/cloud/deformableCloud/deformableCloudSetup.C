@@ -58,6 +58,7 @@ Foam::deformableCloud::deformableCloud
     dict_(accuracy_.completed(dict)),
     effects_(dict_),
     ghosts_(mesh),
+    contactGhosts_(mesh),
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
     contactModel_(selectModel<contactModel>(getDict(dict_, "contactModel"))),
     wallContactModel_

@@ -207,15 +207,14 @@ void Foam::ghostExchange::update(const deformableCloud& cloud)
         image.shift = Zero;
         image.x = p.centres();
         image.u = p.state().u;
-        image.spin = cloud.imposedSpins(p);
+        image.spin = cloud.imposedSpins(type, p.state());
         image.box = boundBox();
         forAll(image.x, i)
         {
             image.box.add(image.x[i] - type.radii()[i]*vector::one);
             image.box.add(image.x[i] + type.radii()[i]*vector::one);
         }
-        image.force = vectorField(image.x.size(), Zero);
-        image.torque = vectorField(image.x.size(), Zero);
+        image.clearSums();
 
         const point centre(p.position());
         reach = max(reach, cmptMax(image.box.max() - centre));
@@ -230,19 +229,22 @@ void Foam::ghostExchange::update(const deformableCloud& cloud)
         findNeighbours(reach);
     }
 
-    for (const label proci : neighbours_)
+    sent_.setSize(neighbours_.size());
+    forAll(neighbours_, n)
     {
         DynamicList<clumpImage> ghosts;
         for (label i = 0; i < nOwn_; ++i)
         {
-            appendImages(images_[i], proci, ghosts);
+            appendImages(images_[i], neighbours_[n], ghosts);
         }
 
-        OPstream os(Pstream::commsTypes::blocking, proci);
+        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
         os << label(ghosts.size());
-        for (const clumpImage& ghost : ghosts)
+        sent_[n].setSize(ghosts.size());
+        forAll(ghosts, i)
         {
-            os << ghost;
+            os << ghosts[i];
+            sent_[n][i] = ghosts[i].index;
         }
     }
 
@@ -262,39 +264,61 @@ void Foam::ghostExchange::update(const deformableCloud& cloud)
             is >> images_.last();
         }
     }
+}
 
-    for (clumpImage& image : images_)
+
+void Foam::ghostExchange::updateVelocities()
+{
+    forAll(neighbours_, n)
     {
-        image.force = Zero;
-        image.torque = Zero;
+        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        for (const label i : sent_[n])
+        {
+            os << images_[i].u << images_[i].spin;
+        }
+    }
+
+    for (label i = nOwn_; i < images_.size(); ++i)
+    {
+        clumpImage& image = images_[i];
+        if (image.owner == Pstream::myProcNo())
+        {
+            image.u = images_[image.index].u;
+            image.spin = images_[image.index].spin;
+        }
+    }
+
+    // The images of a processor stand in the order in which it sent them
+    for (const label proci : neighbours_)
+    {
+        IPstream is(Pstream::commsTypes::blocking, proci);
+        for (clumpImage& image : images_)
+        {
+            if (image.owner == proci)
+            {
+                is >> image.u >> image.spin;
+            }
+        }
     }
 }
 
 
-void Foam::ghostExchange::returnForces()
+template<class First, class Second>
+void Foam::ghostExchange::returnSums(const First& first, const Second& second)
 {
     const label me = Pstream::myProcNo();
-
-    const auto addTo = [&]
-    (
-        const label index, const vectorField& force, const vectorField& torque
-    )
-    {
-        images_[index].force += force;
-        images_[index].torque += torque;
-    };
 
     for (const label proci : neighbours_)
     {
         DynamicList<label> indices;
         DynamicList<vectorField> sums;
-        for (const clumpImage& image : images_)
+        for (clumpImage& image : images_)
         {
             if (image.owner == proci)
             {
                 indices.append(image.index);
-                sums.append(image.force);
-                sums.append(image.torque);
+                sums.append(first(image));
+                sums.append(second(image));
             }
         }
         OPstream os(Pstream::commsTypes::blocking, proci);
@@ -305,7 +329,9 @@ void Foam::ghostExchange::returnForces()
     {
         if (images_[i].owner == me)
         {
-            addTo(images_[i].index, images_[i].force, images_[i].torque);
+            clumpImage& original = images_[images_[i].index];
+            first(original) += first(images_[i]);
+            second(original) += second(images_[i]);
         }
     }
 
@@ -316,7 +342,29 @@ void Foam::ghostExchange::returnForces()
         const List<vectorField> sums(is);
         forAll(indices, k)
         {
-            addTo(indices[k], sums[2*k], sums[2*k + 1]);
+            clumpImage& original = images_[indices[k]];
+            first(original) += sums[2*k];
+            second(original) += sums[2*k + 1];
         }
     }
+}
+
+
+void Foam::ghostExchange::returnForces()
+{
+    returnSums
+    (
+        [](clumpImage& image) -> vectorField& { return image.force; },
+        [](clumpImage& image) -> vectorField& { return image.torque; }
+    );
+}
+
+
+void Foam::ghostExchange::returnDilations()
+{
+    returnSums
+    (
+        [](clumpImage& image) -> vectorField& { return image.dilation.g; },
+        [](clumpImage& image) -> vectorField& { return image.dilation.h; }
+    );
 }

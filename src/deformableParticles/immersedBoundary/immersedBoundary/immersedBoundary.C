@@ -57,7 +57,6 @@ Foam::immersedBoundary::immersedBoundary
         dimensionedScalar(dimless/dimTime, Zero)
     ),
     geometry_(mesh),
-    closed_(false),
     meshChanged_(false)
 {
     checkEntries
@@ -201,12 +200,10 @@ void Foam::immersedBoundary::setStrengths
 
 void Foam::immersedBoundary::update
 (
-    const UList<clumpImage>& images,
-    const volScalarField& nu,
-    const bool closed
+    UList<clumpImage>& images,
+    const volScalarField& nu
 )
 {
-    closed_ = closed;
     if (meshChanged_)
     {
         // The fields were mapped with the mesh: every cell may hold a rest
@@ -239,7 +236,35 @@ void Foam::immersedBoundary::update
         addFractions(images[a], c);
     }
     setStrengths(images, nu);
-    impose(images);
+    if (dilates_)
+    {
+        setDilations(images);
+    }
+}
+
+
+void Foam::immersedBoundary::setDilations(UList<clumpImage>& images) const
+{
+    forAll(images, a)
+    {
+        clumpImage& image = images[a];
+        const clumpCover& c = covers_[a];
+        const label n = image.x.size();
+
+        forAll(c.cells, k)
+        {
+            const label celli = c.cells[k];
+            const point& x = mesh_.cellCentres()[celli];
+            const scalar V = mesh_.V()[celli]*solidPart(c, k);
+
+            for (label i = 0; i < n; ++i)
+            {
+                const vector g(V*c.gradWeights[n*k + i]);
+                image.dilation.g[i] += g;
+                image.dilation.h[i] += (x - image.x[i]) ^ g;
+            }
+        }
+    }
 }
 
 
@@ -330,12 +355,6 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
             }
         }
     }
-
-    if (dilates_ && closed_)
-    {
-        dilation_.primitiveFieldRef() -=
-            gSum(mesh_.V()*dilation_.primitiveField())/gSum(mesh_.V());
-    }
 }
 
 
@@ -363,11 +382,6 @@ void Foam::immersedBoundary::integrate
     };
     forceModel_->prepare(flow);
 
-    const scalar pMean =
-        dilates_ && closed_
-      ? gSum(mesh_.V()*p.primitiveField())/gSum(mesh_.V())
-      : 0;
-
     forAll(images, a)
     {
         clumpImage& image = images[a];
@@ -386,7 +400,7 @@ void Foam::immersedBoundary::integrate
             const vector F(V*share*(*forceModel_)(flow, celli));
             const scalar P =
                 dilates_
-              ? V*solidPart(c, k)*rho*(p[celli] - pMean)
+              ? V*solidPart(c, k)*rho*p[celli]
               : 0;
 
             for (label i = 0; i < n; ++i)

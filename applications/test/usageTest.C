@@ -122,7 +122,10 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
         const scalar r = Foam::sqrt(1 - sqr(z));
         corners[i] = 2e-6*point(r*Foam::cos(2.4*i), r*Foam::sin(2.4*i), z);
     }
-    run<conservationModel>("conservationModels", corners);
+    run<conservationModel>
+    (
+        "conservationModels", corners, scalarField(corners.size(), 1e-6)
+    );
 }
 
 

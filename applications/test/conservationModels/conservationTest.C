@@ -10,6 +10,8 @@
 #include "enclosedVolume.H"
 #include "equilibrium.H"
 #include "bondForces.H"
+#include "sphereUnion.H"
+#include "unionVolume.H"
 
 using namespace Foam;
 
@@ -48,7 +50,8 @@ TEST_CASE("conservation: gradients, net force and torque", "[conservation][seria
               ? "type enclosedArea; areaModulus 1e-4;"
               : "type enclosedVolume; volumeModulus 100;"
             ),
-            type.centres()
+            type.centres(),
+            type.radii()
         )
     );
 
@@ -93,7 +96,7 @@ TEST_CASE("conservation: the volume of a shell", "[conservation][serial]")
     );
     const conservationModels::enclosedVolume model
     (
-        dictOf("volumeModulus 1;"), type.centres()
+        dictOf("volumeModulus 1;"), type.centres(), type.radii()
     );
 
     // 42 corners: 80 triangles inside the sphere, whose volume is V0 = k/stiffness
@@ -129,4 +132,87 @@ TEST_CASE("conservation: the volume of a shell", "[conservation][serial]")
             )
         )
     );
+}
+
+
+TEST_CASE("conservation: the volume of the union, folded or not", "[conservation][serial]")
+{
+    const clumpType type("cell", cellDict());
+    const conservationModels::unionVolume model
+    (
+        dictOf("volumeModulus 1;"), type.centres(), type.radii()
+    );
+    const scalar V0 = 1/model.stiffness();
+    CHECK(V0/type.volume() == Approx(1).epsilon(0.008));
+
+    // Flattened until the strands overlap, and turned
+    const scalar part = GENERATE(0.9, 0.6, 0.35);
+    pointField x(type.centres());
+    for (point& p : x)
+    {
+        p.x() *= 2 - part;
+        p.y() *= part;
+    }
+    vectorField grad(x.size()), turnedGrad(x.size());
+    const scalar V = V0 + model.deviation(x, grad);
+    CHECK(V/sphereUnion::volume(x, type.radii()) == Approx(1).epsilon(0.006));
+
+    const tensor R(rotation(vector(0.3, -1.1, 0.7)).R());
+    const scalar turned = V0 + model.deviation(R & x, turnedGrad);
+    CHECK(turned/V == Approx(1).epsilon(1e-10));
+    CHECK(max(mag(turnedGrad - (R & grad))) < 1e-10*max(mag(grad)));
+
+    // Neither sum nor torque
+    vector torque(Zero);
+    forAll(x, i)
+    {
+        torque += x[i] ^ grad[i];
+    }
+    CHECK(mag(sum(grad)) < 1e-13*sum(mag(grad)));
+    CHECK(mag(torque) < 1e-8*sum(mag(grad))*type.reach());
+
+    // The slope along any displacement, to the error of the sum where a direction changes sides
+    Random random(3);
+    vectorField step(x.size());
+    for (vector& d : step)
+    {
+        d = 1e-3*type.reach()*randomVector(random);
+    }
+    vectorField unused(x.size());
+    const scalar slope =
+        model.deviation(x + step, unused) - model.deviation(x - step, unused);
+    const scalar largest =
+        Foam::sqrt(sum(magSqr(grad))*sum(magSqr(step)));
+    CHECK(mag(0.5*slope - sum(grad & step)) < 0.06*largest);
+}
+
+
+TEST_CASE("conservation: a squeezed ring keeps the volume of its union", "[conservation][serial]")
+{
+    // Pulled apart with force enough to lay its strands into each other
+    const auto change = [](const string& conservation)
+    {
+        dictionary dict(cellDict());
+        if (conservation.size())
+        {
+            dict.set("conservationModel", dictOf(conservation));
+        }
+        const clumpType type("cell", dict);
+        clumpState s(type);
+        REQUIRE
+        (
+            equilibrium().find
+            (
+                type, equilibrium::stretch(type, vector(1.5e-10, 0, 0)), s
+            )
+        );
+        return mag
+        (
+            sphereUnion::volume(s.x, type.radii())/type.volume() - 1
+        );
+    };
+    const scalar loose = change("");
+    const scalar held = change("type unionVolume; volumeModulus 1e4;");
+    CHECK(loose > 0.02);
+    CHECK(held < 0.25*loose);
 }

@@ -90,7 +90,8 @@ TEST_CASE("equilibrium: Newton's method converges quadratically", "[equilibrium]
 
 TEST_CASE("tangent: sparse factorisation solves the dense system", "[tangent][serial]")
 {
-    // A shell fills in; a ring with its area held has a term of rank one
+    // A shell fills in; a ring with its area and volume held has two
+    // terms of rank one
     dictionary shell(cellDict("type none;"));
     shell.set("shape", dictOf
     (
@@ -99,7 +100,12 @@ TEST_CASE("tangent: sparse factorisation solves the dense system", "[tangent][se
     dictionary ring(cellDict("type none;"));
     ring.set
     (
-        "conservationModel", dictOf("type enclosedArea; areaModulus 1e-4;")
+        "conservationModels",
+        dictOf
+        (
+            "area { type enclosedArea; areaModulus 1e-4; }"
+            "volume { type unionVolume; volumeModulus 1e4; }"
+        )
     );
     const clumpType type("clump", GENERATE(true, false) ? shell : ring);
 

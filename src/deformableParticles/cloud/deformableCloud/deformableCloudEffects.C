@@ -86,13 +86,22 @@ void Foam::deformableCloud::decideForModel
     for (const word& name : types.toc())
     {
         const dictionary& type = getDict(types, name);
-        const word model
+        const dictionary list(type.subOrEmptyDict(family + 's'));
+        word models
         (
             type.subOrEmptyDict(family).getOrDefault<word>("type", "none")
         );
-        if (model != "none")
+        for (const word& entry : list.toc())
         {
-            effects_.decide(effect, true, name + " has " + model);
+            const word model
+            (
+                list.subOrEmptyDict(entry).getOrDefault<word>("type", "none")
+            );
+            models = models == "none" ? model : word(models + ", " + model, false);
+        }
+        if (models != "none")
+        {
+            effects_.decide(effect, true, name + " has " + models);
             return;
         }
     }

@@ -179,6 +179,7 @@ void Foam::deformableCloud::readTypes()
         if (effects_.switchedOff("conservation"))
         {
             type.remove("conservationModel");
+            type.remove("conservationModels");
         }
         types_.set(i, new clumpType(names[i], type));
         typeIds_.insert(names[i], i);

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpType.H"
-#include "noConservation.H"
 #include "sphereUnion.H"
 #include "mathematicalConstants.H"
 
@@ -19,7 +18,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
         dict,
         {
             "shape", "density", "massModel", "motion", "bondModel",
-            "dampingModel", "conservationModel"
+            "dampingModel", "conservationModel", "conservationModels"
         }
     );
 
@@ -44,19 +43,38 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 
     setBonds(geometry->bonds(), dict);
 
+    setConservation(dict);
+}
+
+
+void Foam::clumpType::setConservation(const dictionary& dict)
+{
+    const auto add = [&](const dictionary& d)
+    {
+        auto model(selectModel<conservationModel>(d, centres_, radii_));
+        if (model->active())
+        {
+            conservation_.append(model.ptr());
+        }
+    };
+
     if (dict.found("conservationModel"))
     {
-        conservationModel_ = selectModel<conservationModel>
-        (
-            getDict(dict, "conservationModel"), centres_
-        );
+        if (dict.found("conservationModels"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Either 'conservationModel' or 'conservationModels'"
+                << exit(FatalIOError);
+        }
+        add(getDict(dict, "conservationModel"));
     }
-    else
+    else if (dict.found("conservationModels"))
     {
-        conservationModel_.reset
-        (
-            new conservationModels::noConservation(dictionary::null, centres_)
-        );
+        const dictionary& models = getDict(dict, "conservationModels");
+        for (const word& name : models.toc())
+        {
+            add(getDict(models, name));
+        }
     }
 }
 

@@ -18,7 +18,8 @@ namespace conservationModels
 Foam::conservationModels::enclosedArea::enclosedArea
 (
     const dictionary& dict,
-    const pointField& centres
+    const pointField& centres,
+    const scalarField&
 )
 :
     areaModulus_(getPositive(dict, "areaModulus")),

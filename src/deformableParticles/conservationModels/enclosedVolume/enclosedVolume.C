@@ -18,7 +18,8 @@ namespace conservationModels
 Foam::conservationModels::enclosedVolume::enclosedVolume
 (
     const dictionary& dict,
-    const pointField& centres
+    const pointField& centres,
+    const scalarField&
 )
 :
     volumeModulus_(getPositive(dict, "volumeModulus")),

@@ -411,10 +411,10 @@ Foam::scalar Foam::bondForces::stepForces
         }
     }
 
-    if (type_.conservation().active())
+    for (const conservationModel& model : type_.conservation())
     {
-        const scalar k = type_.conservation().stiffness();
-        const scalar dQ = type_.conservation().deviation(s.x, grad_);
+        const scalar k = model.stiffness();
+        const scalar dQ = model.deviation(s.x, grad_);
 
         F -= k*dQ*grad_;
         energy += 0.5*k*sqr(dQ);
@@ -426,7 +426,7 @@ Foam::scalar Foam::bondForces::stepForces
             {
                 g.segment<3>(6*i) << grad_[i].x(), grad_[i].y(), grad_[i].z();
             }
-            K->setRankOne(k, g);
+            K->addRankOne(k, g);
         }
     }
 

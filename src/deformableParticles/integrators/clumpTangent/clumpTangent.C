@@ -88,9 +88,7 @@ Foam::clumpTangent::clumpTangent(const clumpType& type)
 :
     pattern_(type.pattern()),
     values_(pattern_.nBlocks()),
-    factor_(pattern_.nBlocks()),
-    hasRankOne_(false),
-    k_(0)
+    factor_(pattern_.nBlocks())
 {}
 
 
@@ -100,7 +98,7 @@ void Foam::clumpTangent::setZero()
     {
         b.setZero();
     }
-    hasRankOne_ = false;
+    rankOnes_.clear();
 }
 
 
@@ -123,11 +121,9 @@ void Foam::clumpTangent::addCoupling
 }
 
 
-void Foam::clumpTangent::setRankOne(const scalar k, const Eigen::VectorXd& g)
+void Foam::clumpTangent::addRankOne(const scalar k, const Eigen::VectorXd& g)
 {
-    hasRankOne_ = true;
-    k_ = k;
-    g_ = g;
+    rankOnes_.push_back({k, g, g});
 }
 
 
@@ -169,10 +165,12 @@ bool Foam::clumpTangent::factorise
         }
     }
 
-    if (hasRankOne_)
+    for (std::size_t m = 0; m < rankOnes_.size(); ++m)
     {
-        Ag_ = g_;
-        substitute(Ag_);
+        rankOne& term = rankOnes_[m];
+        term.Ag = term.g;
+        substitute(term.Ag);
+        correct(term.Ag, m);
     }
 
     return true;
@@ -206,9 +204,20 @@ void Foam::clumpTangent::solve(Eigen::VectorXd& x) const
 {
     substitute(x);
 
-    if (hasRankOne_)
+    correct(x, rankOnes_.size());
+}
+
+
+void Foam::clumpTangent::correct
+(
+    Eigen::VectorXd& x,
+    const std::size_t n
+) const
+{
+    for (std::size_t m = 0; m < n; ++m)
     {
-        x -= Ag_*(k_*g_.dot(x)/(1 + k_*g_.dot(Ag_)));
+        const rankOne& term = rankOnes_[m];
+        x -= term.Ag*(term.k*term.g.dot(x)/(1 + term.k*term.g.dot(term.Ag)));
     }
 }
 
@@ -226,9 +235,9 @@ Eigen::MatrixXd Foam::clumpTangent::dense() const
             K.block<6, 6>(6*i, 6*j) = values_[a];
         }
     }
-    if (hasRankOne_)
+    for (const rankOne& term : rankOnes_)
     {
-        K.noalias() += k_*g_*g_.transpose();
+        K.noalias() += term.k*term.g*term.g.transpose();
     }
     return K;
 }

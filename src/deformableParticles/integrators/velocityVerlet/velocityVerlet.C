@@ -80,7 +80,7 @@ void Foam::integrators::velocityVerlet::advance
     const label nSub = dt > stable ? label(std::ceil(dt/stable)) : 1;
     const scalar h = dt/nSub;
 
-    if (!type.conservation().active())
+    if (type.conservation().empty())
     {
         verletKernel kernel(type);
         kernel.load(s, ext);

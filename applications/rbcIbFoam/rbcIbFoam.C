@@ -103,6 +103,7 @@ int main(int argc, char* argv[])
     active.printTable(Info);
     accuracy.print(Info, cells.mostSpheres(), cells.cellsPerDiameter());
 
+    cells.startWithFlow(U, nu);
     Info<< "Starting time loop" << nl << endl;
 
     while (goesOn())

@@ -75,7 +75,10 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
     if (effects_.active("gravity"))
     {
         const effects::timer t(effects_, "gravity");
-        ext.f += (ct.masses() - rho_*ct.volumes())*g_;
+        ext.f +=
+        (
+            ct.masses() - rho_*ct.volumes()*ct.relativeVolume(s.x)
+        )*g_;
     }
 
     if (drag_.valid())
@@ -98,11 +101,10 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
 
         if (immersedBoundary_->addsInteriorInertia())
         {
-            // From the velocity the fluid inside had to the one it has
-            const scalar dt0 = mesh_.time().deltaT0Value();
-            const scalarField m(rho_*ct.volumes()/dt);
-            ext.f += m*(imposed.u - s.u + dt0*s.a);
-            ext.t += 0.4*m*sqr(ct.radii())*(imposed.w - s.w + dt0*s.b);
+            ext.f += interiorForces(parcel, imposed, dt);
+            ext.t +=
+                0.4*rho_/dt*ct.volumes()*sqr(ct.radii())
+               *(imposed.w - s.w + mesh_.time().deltaT0Value()*s.b);
         }
     }
 
@@ -110,9 +112,25 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
 }
 
 
+Foam::vectorField Foam::deformableCloud::interiorForces
+(
+    const clumpParcel& parcel,
+    const clumpState& imposed,
+    const scalar dt
+) const
+{
+    // From the velocity the fluid inside had to the one it has
+    const clumpState& s = parcel.state();
+    return
+        rho_*type(parcel).volumes()/dt
+       *(imposed.u - s.u + mesh_.time().deltaT0Value()*s.a);
+}
+
+
 void Foam::deformableCloud::advance(const scalar dt)
 {
     const label n = size();
+    momentum_ = clumpMomentum();
     List<integrator::externals> steady(n);
 
     if (!coupled())
@@ -128,6 +146,7 @@ void Foam::deformableCloud::advance(const scalar dt)
             imposed_[index] = parcel.state();
         }
         steady[index] = steadyForces(parcel, imposed_[index], dt);
+        addMomentum(parcel, imposed_[index], dt);
         ++index;
     }
 
@@ -160,15 +179,22 @@ void Foam::deformableCloud::advance(const scalar dt)
         {
             if (!type(parcel).fixed())
             {
+                const clumpState start(parcel.state());
                 integrator_->advance
                 (
                     type(parcel), ext[index], h, parcel.state()
+                );
+                addMomentum
+                (
+                    type(parcel), ext[index], start, parcel.state(), h/dt
                 );
             }
             ++index;
         }
     }
 
+    momentum_.rate /= dt;
+    momentum_.applied -= momentum_.fluid + momentum_.interior;
     overshoots_ = false;
     index = 0;
     for (clumpParcel& parcel : *this)
@@ -183,6 +209,42 @@ void Foam::deformableCloud::advance(const scalar dt)
         }
         ++index;
     }
+}
+
+
+void Foam::deformableCloud::addMomentum
+(
+    const clumpParcel& parcel,
+    const clumpState& imposed,
+    const scalar dt
+)
+{
+    if (!coupled())
+    {
+        return;
+    }
+    vector interior(Zero);
+    if (immersedBoundary_->addsInteriorInertia())
+    {
+        interior = sum(interiorForces(parcel, imposed, dt));
+    }
+    momentum_.fluid += sum(parcel.fluidForces());
+    momentum_.interior += interior;
+}
+
+
+void Foam::deformableCloud::addMomentum
+(
+    const clumpType& type,
+    const integrator::externals& ext,
+    const clumpState& start,
+    const clumpState& end,
+    const scalar part
+)
+{
+    momentum_.rate += sum(type.masses()*(end.u - start.u));
+    momentum_.exchange -= part*sum(ext.zeta*(end.u - ext.u0));
+    momentum_.applied += part*sum(ext.f - (ext.k & (end.x - start.x)));
 }
 
 

@@ -74,6 +74,42 @@ void Foam::deformableCloud::impose()
 }
 
 
+void Foam::deformableCloud::startWithFlow
+(
+    const volVectorField& U,
+    const volScalarField& nu
+)
+{
+    if (!coupled() || returnReduce(followFlow_.empty(), andOp<bool>()))
+    {
+        return;
+    }
+    ghosts_.update(*this);
+    immersedBoundary_->update(ghosts_.images(), nu);
+    immersedBoundary_->sampleVelocity(U, ghosts_.images());
+    ghosts_.returnForces();
+
+    label index = 0;
+    for (clumpParcel& parcel : *this)
+    {
+        const clumpImage& image = ghosts_.images()[index++];
+        const clumpType& ct = type(parcel);
+        if (!followFlow_.found(parcel.origId()) || ct.fixed())
+        {
+            continue;
+        }
+        clumpState& s = parcel.state();
+        forAll(s.u, i)
+        {
+            s.u[i] = image.force[i]/max(image.torque[i].x(), VSMALL);
+        }
+        s.w = vectorField(s.w.size(), Zero);
+        s.w = s.angularVelocity(ct);
+    }
+    followFlow_.clear();
+}
+
+
 void Foam::deformableCloud::iterate
 (
     const volVectorField& U,

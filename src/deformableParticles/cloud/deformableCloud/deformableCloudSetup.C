@@ -229,6 +229,18 @@ void Foam::deformableCloud::restart()
 {
     clumpParcel::readFields(*this);
 
+    // Written by setClumps, not by a run: at rest unless they were given a velocity
+    if (!isFile(mesh_.time().timePath()/"uniform"/"time"))
+    {
+        for (const clumpParcel& p : *this)
+        {
+            if (max(mag(p.state().u)) == 0)
+            {
+                followFlow_.insert(p.origId());
+            }
+        }
+    }
+
     // A number stands for one clump, on all processors
     List<labelPairList> ids(Pstream::nProcs());
     labelPairList& mine = ids[Pstream::myProcNo()];
@@ -328,6 +340,10 @@ void Foam::deformableCloud::place()
             clumpParcel& parcel = *last();
             parcel.origProc() = 0;
             parcel.origId() = k;
+        }
+        if (p.followsFlow)
+        {
+            followFlow_.insert(k);
         }
     }
 

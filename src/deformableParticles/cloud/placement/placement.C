@@ -96,7 +96,13 @@ void Foam::placement::readList(const dictionary& dict)
             turn = rotation(degToRad(getFinite<scalar>(d, "angle"))*axis/mag(axis));
         }
 
-        placed p{id, getFinite<point>(d, "position"), clumpState(types_[id], turn)};
+        placed p
+        {
+            id,
+            getFinite<point>(d, "position"),
+            clumpState(types_[id], turn),
+            !d.found("velocity") && !d.found("angularVelocity")
+        };
         p.state.setRigidMotion
         (
             types_[id],
@@ -140,7 +146,8 @@ void Foam::placement::makeLattice(const dictionary& dict)
                     {
                         id,
                         origin + cmptMultiply(vector(i, j, k), spacing),
-                        clumpState(types_[id])
+                        clumpState(types_[id]),
+                        true
                     }
                 );
             }
@@ -264,7 +271,8 @@ void Foam::placement::packRandomly(const dictionary& dict)
 
             const placed p
             {
-                id, random.position(box.min(), box.max()), clumpState(type, q)
+                id, random.position(box.min(), box.max()), clumpState(type, q),
+                true
             };
             if (fits(p))
             {

@@ -11,6 +11,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 :
     name_(name),
     density_(getPositive(dict, "density")),
+    restVolume_(0),
     fixed_(false)
 {
     checkEntries
@@ -118,6 +119,19 @@ void Foam::clumpType::setMasses(const dictionary& dict)
     inertias_ = 0.4*masses_*sqr(radii_);
 
     centres_ -= sum(masses_*centres_)/sum(masses_);
+    vectorField grad(size());
+    restVolume_ = sphereUnion::volume(centres_, radii_, grad);
+}
+
+
+Foam::scalar Foam::clumpType::relativeVolume(const pointField& x) const
+{
+    if (size() == 1)
+    {
+        return 1;
+    }
+    vectorField grad(size());
+    return sphereUnion::volume(x, radii_, grad)/restVolume_;
 }
 
 

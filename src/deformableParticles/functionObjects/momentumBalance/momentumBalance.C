@@ -5,7 +5,10 @@
 
 #include "momentumBalance.H"
 #include "deformableCloud.H"
-#include "volFields.H"
+#include "meanVelocityGradient.H"
+#include "fvOptions.H"
+#include "fvcDiv.H"
+#include "surfaceFields.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -32,9 +35,21 @@ Foam::functionObjects::momentumBalance::momentumBalance
     if (Pstream::master())
     {
         file()
-            << "# Forces on clumps and fluid" << nl
-            << "# time [s]\tFx Fy Fz on clumps [N]\tFx Fy Fz on fluid [N]"
-            << "\t|sum|/sum of magnitudes" << endl;
+            << "# Momentum of clumps and fluid over a step [N]" << nl
+            << "# time [s]";
+        for
+        (
+            const char* term :
+            {
+                "clumps rate", "fluid", "interior", "exchange", "applied",
+                "fluid rate", "forcing", "patches", "sources"
+            }
+        )
+        {
+            file() << '\t' << term << " x y z";
+        }
+        file()
+            << "\trelative: thirdLaw\tclumps\tfluid\texchange\ttotal" << endl;
     }
 }
 
@@ -47,6 +62,100 @@ bool Foam::functionObjects::momentumBalance::read(const dictionary& dict)
 }
 
 
+Foam::vector Foam::functionObjects::momentumBalance::patchForces
+(
+    const bool convection,
+    scalar& size
+) const
+{
+    const auto& U = mesh_.lookupObject<volVectorField>("U");
+    const auto& p = mesh_.lookupObject<volScalarField>("p");
+    const auto& phi = mesh_.lookupObject<surfaceScalarField>("phi");
+    const auto& nu = mesh_.lookupObject<volScalarField>("nu");
+
+    vector result(Zero);
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (patch.coupled())
+        {
+            continue;
+        }
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        const vector pressure
+        (
+            -gSum(p.boundaryField()[patchi]*patch.Sf())
+        );
+        const vector viscous
+        (
+            gSum(nu.boundaryField()[patchi]*patch.magSf()*Up.snGrad())
+        );
+        vector carried(Zero);
+        if (convection)
+        {
+            carried = -gSum(phi.boundaryField()[patchi]*Up);
+        }
+        result += pressure + viscous + carried;
+        size += mag(pressure) + mag(viscous) + mag(carried);
+    }
+    return result;
+}
+
+
+Foam::vector Foam::functionObjects::momentumBalance::sources
+(
+    const bool convection,
+    scalar& size
+) const
+{
+    const auto& U = mesh_.lookupObject<volVectorField>("U");
+    const scalarField& V = mesh_.V();
+    vector result(Zero);
+
+    if (convection)
+    {
+        const auto& phi = mesh_.lookupObject<surfaceScalarField>("phi");
+        result = gSum(V*fvc::div(phi)().primitiveField()*U.primitiveField());
+        size += mag(result);
+    }
+
+    PtrList<fv::option>& options = fv::options::New(mesh_);
+    for (fv::option& option : options)
+    {
+        const label fieldi = option.applyToField(U.name());
+        if (fieldi < 0 || !option.isActive())
+        {
+            continue;
+        }
+
+        vector force(Zero);
+        if (isA<fv::meanVelocityGradient>(option))
+        {
+            const auto& drive = refCast<const fv::meanVelocityGradient>(option);
+            for (const label celli : drive.cells())
+            {
+                force += V[celli]*drive.used();
+            }
+            reduce(force, sumOp<vector>());
+        }
+        else
+        {
+            fvVectorMatrix matrix(U, U.dimensions()*dimVolume/dimTime);
+            option.addSup(matrix, fieldi);
+            vectorField source(-matrix.source());
+            if (matrix.hasDiag())
+            {
+                source += matrix.diag()*U.primitiveField();
+            }
+            force = gSum(source);
+        }
+        result += force;
+        size += mag(force);
+    }
+    return result;
+}
+
+
 bool Foam::functionObjects::momentumBalance::write()
 {
     const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
@@ -55,29 +164,76 @@ bool Foam::functionObjects::momentumBalance::write()
         return true;
     }
 
-    vector onClumps(Zero);
-    scalar size = 0;
+    const scalar rho = cloud.fluidDensity();
+    const auto& U = mesh_.lookupObject<volVectorField>("U");
+    const bool convection = cloud.activeEffects().active("convection");
+
+    scalar onSpheres = 0;
     for (const clumpParcel& p : cloud)
     {
-        onClumps += sum(p.fluidForces());
-        size += sum(mag(p.fluidForces()));
+        onSpheres += sum(mag(p.fluidForces()));
     }
-    reduce(onClumps, sumOp<vector>());
-    reduce(size, sumOp<scalar>());
+    reduce(onSpheres, sumOp<scalar>());
 
-    const vector onFluid = cloud.boundary().forceOnFluid
+    clumpMomentum clumps(cloud.momentum());
+    for
     (
-        mesh_.lookupObject<volVectorField>("U"), cloud.fluidDensity()
+        vector* term :
+        {
+            &clumps.rate, &clumps.fluid, &clumps.interior, &clumps.exchange,
+            &clumps.applied
+        }
+    )
+    {
+        reduce(*term, sumOp<vector>());
+    }
+
+    const vector rate
+    (
+        rho*gSum
+        (
+            mesh_.V()*(U.primitiveField() - U.oldTime().primitiveField())
+        )/time_.deltaTValue()
     );
+    const vector forcing(cloud.boundary().forceOnFluid(U, rho));
+    scalar onFluid = 0;
+    const vector patches(rho*patchForces(convection, onFluid));
+    const vector source(rho*sources(convection, onFluid));
+
+    const vector ofClumps
+    (
+        clumps.rate - clumps.fluid - clumps.interior - clumps.exchange
+      - clumps.applied
+    );
+    const vector ofFluid(rate - forcing - patches - source);
+    const scalar size = max(onSpheres + rho*onFluid, VSMALL);
 
     if (Pstream::master())
     {
         file() << time_.timeOutputValue();
-        for (const vector& F : {onClumps, onFluid})
+        for
+        (
+            const vector& F :
+            {
+                clumps.rate, clumps.fluid, clumps.interior, clumps.exchange,
+                clumps.applied, rate, forcing, patches, source
+            }
+        )
         {
             file() << '\t' << F.x() << '\t' << F.y() << '\t' << F.z();
         }
-        file() << '\t' << mag(onClumps + onFluid)/max(size, VSMALL) << endl;
+        for
+        (
+            const vector& F :
+            {
+                clumps.fluid + forcing, ofClumps, ofFluid, clumps.exchange,
+                ofClumps + ofFluid + clumps.fluid + forcing + clumps.exchange
+            }
+        )
+        {
+            file() << '\t' << mag(F)/size;
+        }
+        file() << endl;
     }
 
     return true;

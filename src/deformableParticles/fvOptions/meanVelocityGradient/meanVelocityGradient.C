@@ -36,6 +36,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     Ubar_(Zero),
     direction_(Zero),
     gradient_(0),
+    used_(0),
     response_(0),
     responseStep_(0),
     fresh_(true),
@@ -173,6 +174,7 @@ void Foam::fv::meanVelocityGradient::addSup
     {
         correct(mesh_.lookupObjectRef<volVectorField>(fieldNames_[0]));
     }
+    used_ = gradient_;
     for (const label celli : cells_)
     {
         eqn.source()[celli] -= mesh_.V()[celli]*gradient_*direction_;

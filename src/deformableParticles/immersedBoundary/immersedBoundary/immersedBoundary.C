@@ -268,6 +268,33 @@ void Foam::immersedBoundary::setDilations(UList<clumpImage>& images) const
 }
 
 
+void Foam::immersedBoundary::sampleVelocity
+(
+    const volVectorField& U,
+    UList<clumpImage>& images
+) const
+{
+    forAll(images, a)
+    {
+        clumpImage& image = images[a];
+        const clumpCover& c = covers_[a];
+        const label n = image.x.size();
+
+        forAll(c.cells, k)
+        {
+            const label celli = c.cells[k];
+            const scalar V = mesh_.V()[celli]*solidPart(c, k);
+
+            for (label i = 0; i < n; ++i)
+            {
+                image.force[i] += V*c.weights[n*k + i]*U[celli];
+                image.torque[i] += V*c.weights[n*k + i]*vector::one;
+            }
+        }
+    }
+}
+
+
 void Foam::immersedBoundary::meshChanged()
 {
     // At once: the tree refers to the cell centres, which are others now

@@ -38,6 +38,7 @@ Description
 #include "completeTime.H"
 #include "costEstimate.H"
 #include "pressureExtrapolation.H"
+#include "rotationalCorrection.H"
 #include "timeStepLimits.H"
 #include "stepReport.H"
 #include "watchdog.H"

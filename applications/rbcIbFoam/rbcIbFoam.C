@@ -157,7 +157,8 @@ int main(int argc, char* argv[])
         cells.evolve(U, p, nu);
         {
             const effects::timer t(active, "checks");
-            guard.check(report.continuityError());
+            guard.check();
+            guard.check(report.continuityError(), U, p, phi);
         }
         cells.moveParcels();
 

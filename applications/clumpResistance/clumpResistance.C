@@ -40,6 +40,7 @@ Description
 #include "deformableCloud.H"
 #include "stepReport.H"
 #include "resistanceMatrix.H"
+#include "rotationalCorrection.H"
 #include "OFstream.H"
 
 int main(int argc, char* argv[])

@@ -38,6 +38,7 @@ Description
 #include "completeTime.H"
 #include "costEstimate.H"
 #include "pressureExtrapolation.H"
+#include "rotationalCorrection.H"
 #include "timeStepLimits.H"
 #include "stepReport.H"
 #include "watchdog.H"
@@ -157,7 +158,8 @@ int main(int argc, char* argv[])
         cells.evolve(U, p, nu);
         {
             const effects::timer t(active, "checks");
-            guard.check(report.continuityError());
+            guard.check();
+            guard.check(report.continuityError(), U, p, phi);
         }
         cells.moveParcels();
 

@@ -6,7 +6,6 @@
 #include "sphereGrid.H"
 #include "DynamicList.H"
 #include <map>
-#include <vector>
 #include <tuple>
 #include <cmath>
 
@@ -106,70 +105,46 @@ void Foam::sphereGrid::forEachContact
     const std::function<void(label, label, label, label)>& visit
 )
 {
-    // Clumps whose boxes meet that of an own clump
-    std::vector<bool> enters(images.size(), false);
-    bool any = false;
+    // Spheres of a clump that reach into the box of another one
+    const auto reaching = [&]
+    (
+        const clumpImage& image, const boundBox& box, DynamicList<label>& found
+    )
+    {
+        const scalarField& radii = types[image.typeId].radii();
+        found.clear();
+        forAll(image.x, i)
+        {
+            if (magSqr(image.x[i] - box.nearest(image.x[i])) < sqr(radii[i]))
+            {
+                found.append(i);
+            }
+        }
+    };
+
+    DynamicList<label> ofA, ofB;
     forEachNear
     (
         images, nOwn, scalarField(nOwn, Zero),
         [&](const label a, const label b)
         {
-            enters[a] = enters[b] = true;
-            any = true;
-        }
-    );
-    if (!any)
-    {
-        return;
-    }
+            const clumpImage& A = images[a];
+            const clumpImage& B = images[b];
+            const scalarField& rA = types[A.typeId].radii();
+            const scalarField& rB = types[B.typeId].radii();
 
-    scalar width = 0;
-    forAll(images, a)
-    {
-        if (enters[a])
-        {
-            width = max(width, 2*max(types[images[a].typeId].radii()));
-        }
-    }
-
-    std::map<cube, DynamicList<labelPair>> grid;
-    forAll(images, a)
-    {
-        if (enters[a])
-        {
-            forAll(images[a].x, i)
+            reaching(A, B.box, ofA);
+            reaching(B, A.box, ofB);
+            for (const label i : ofA)
             {
-                grid[cubeOf(images[a].x[i], width)].append(labelPair(a, i));
-            }
-        }
-    }
-
-    for (label a = 0; a < nOwn; ++a)
-    {
-        if (!enters[a])
-        {
-            continue;
-        }
-        forAll(images[a].x, i)
-        {
-            const point& x = images[a].x[i];
-            const scalar r = types[images[a].typeId].radii()[i];
-
-            forEachAround
-            (
-                grid, cubeOf(x, width),
-                [&](const labelPair& other)
+                for (const label j : ofB)
                 {
-                    const label b = other.first();
-                    const label j = other.second();
-                    const scalar touch = r + types[images[b].typeId].radii()[j];
-
-                    if (b != a && magSqr(x - images[b].x[j]) < sqr(touch))
+                    if (magSqr(A.x[i] - B.x[j]) < sqr(rA[i] + rB[j]))
                     {
                         visit(a, i, b, j);
                     }
                 }
-            );
+            }
         }
-    }
+    );
 }

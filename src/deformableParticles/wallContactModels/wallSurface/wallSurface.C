@@ -56,7 +56,12 @@ scalar angleShare
         chord2 > 0 ? min(length, Foam::sqrt(chord2)) : scalar(0);
 
     // Outside the sphere all lies within
-    scalar result = std::atan2(length, p) - std::atan2(within, p);
+    scalar result = std::atan2(length, p);
+    if (within <= 0)
+    {
+        return t < 0 ? -result : result;
+    }
+    result -= std::atan2(within, p);
 
     // t = p sinh(v) takes the peak at the foot out
     const scalar half = 0.25*std::asinh(within/p);

@@ -106,6 +106,57 @@ TEST_CASE("cloud: walls are felt from either side of a processor boundary", "[cl
 }
 
 
+TEST_CASE("cloud: walls of processors that become neighbours", "[cloud][walls]")
+{
+    // Two spheres that touch the floor are drawn apart, to 5.3 um from their
+    // middle: on four ranks in a row the second one is then above the floor of a
+    // processor that was no neighbour of its clump's
+    dictionary dict
+    (
+        dictOf
+        (
+            "types { pair { shape { type chain; nSpheres 2; spacing 0.6e-6;"
+            " sphereRadius 0.3e-6; } density 1000; massModel union; motion free;"
+            " bondModel { type linearElastic; rigidities { normal 1e-15;"
+            " tangential 1e-15; bending 1e-30; torsional 1e-30; } }"
+            " dampingModel { type none; } } }"
+            "placement { type list; clumps ({ type pair;"
+            " position (9.9e-6 0.2e-6 4.9e-6); }); }"
+            "integrator { type implicitEuler; tolerance 1e-9;"
+            " maxIterations 100; }"
+            "contactModel { type none; }"
+            "wallContactModel { type hertz; reducedModulus 100; restitution 1; }"
+            "effects { fluid off; walls on; }"
+        )
+    );
+    const scalar dt0 = testTime().deltaTValue();
+    testTime().setDeltaT(1e-9, false);
+    openCloud cloud(testMesh(), dict);
+    cloud.evolve();
+
+    vectorField u(2, Zero);
+    for (clumpParcel& p : cloud)
+    {
+        clumpState& s = p.state();
+        s.u = Zero;
+        s.w = Zero;
+        s.x[0].x() = -5.3e-6;
+        s.x[1].x() = 5.3e-6;
+    }
+    cloud.evolve();
+    for (const clumpParcel& p : cloud)
+    {
+        u = p.state().u;
+    }
+    testTime().setDeltaT(dt0, false);
+
+    reduce(u[0], sumOp<vector>());
+    reduce(u[1], sumOp<vector>());
+    CHECK(u[0].y() > 0);
+    CHECK(u[1].y() == Approx(u[0].y()).epsilon(0.01));
+}
+
+
 TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
 {
     testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "clump", false);

@@ -9,6 +9,7 @@
 #include "contactModel.H"
 #include "wallContactModel.H"
 #include <array>
+#include <chrono>
 #include <set>
 
 using namespace Foam;
@@ -74,6 +75,69 @@ TEST_CASE("contact: the grid finds what all pairs find", "[contact][serial]")
 
     CHECK(!expected.empty());
     CHECK(found == expected);
+}
+
+
+TEST_CASE("contact: time of the grid", "[.][contact][serial]")
+{
+    // Clumps on a cubic lattice, at the same distances for any number
+    PtrList<clumpType> types(1);
+    types.set(0, new clumpType("cell", cellDict()));
+    const clumpType& type = types[0];
+    Random random(16);
+
+    for (const label side : {5, 10, 16})
+    {
+        DynamicList<clumpImage> images;
+        for (label a = 0; a < side*side*side; ++a)
+        {
+            const clumpState s(type, randomRotation(random));
+            const vector place(a % side, (a/side) % side, a/(side*side));
+            clumpImage image;
+            image.typeId = 0;
+            image.x = s.x + 7.5e-6*place;
+            image.box = boundBox();
+            forAll(image.x, i)
+            {
+                image.box.add(image.x[i] - type.radii()[i]*vector::one);
+                image.box.add(image.x[i] + type.radii()[i]*vector::one);
+            }
+            images.append(image);
+        }
+
+        label near = 0, pairs = 0, allPairs = 0;
+        const auto start = std::chrono::steady_clock::now();
+        sphereGrid::forEachNear
+        (
+            images, images.size(), scalarField(images.size(), Zero),
+            [&](label, label) { ++near; }
+        );
+        const auto boxes = std::chrono::steady_clock::now();
+        sphereGrid::forEachContact
+        (
+            images, images.size(), types,
+            [&](label, label, label, label) { ++pairs; }
+        );
+        const auto spheres = std::chrono::steady_clock::now();
+        forAll(images, a)
+        {
+            forAll(images, b)
+            {
+                allPairs += a != b && images[a].box.overlaps(images[b].box);
+            }
+        }
+        const auto end = std::chrono::steady_clock::now();
+        CHECK(near == allPairs);
+
+        const auto ms = [](const std::chrono::steady_clock::duration& d)
+        {
+            return 1e3*std::chrono::duration<double>(d).count();
+        };
+        Info<< images.size() << " clumps, " << pairs << " pairs: near "
+            << ms(boxes - start) << " ms (all pairs of boxes "
+            << ms(end - spheres) << " ms), contacts "
+            << ms(spheres - boxes) << " ms" << endl;
+    }
 }
 
 

@@ -361,3 +361,42 @@ TEST_CASE
     );
     CHECK(gMax(mag(difference)) < 1e-6*gMax(first));
 }
+
+
+TEST_CASE("boundary: the exchange's factor has a limit", "[boundary][exchange]")
+{
+    // A flow that turns round in every pass, and grows
+    testCloud t(point(10e-6, 10e-6, 10e-6));
+    const fvMesh& mesh = testMesh();
+    volScalarField p
+    (
+        IOobject("testP", testTime().timeName(), mesh),
+        mesh, dimensionedScalar("p", sqr(dimVelocity), 0)
+    );
+    volScalarField nu
+    (
+        IOobject("testNu", testTime().timeName(), mesh),
+        mesh, dimensionedScalar("nu", dimViscosity, 1.171e-6)
+    );
+
+    scalar speed = 1e-6, largest = 0;
+    for (label pass = 0; pass < 20; ++pass)
+    {
+        speed *= -3;
+        const volVectorField U
+        (
+            IOobject("testU", testTime().timeName(), mesh),
+            mesh, dimensionedVector("U", dimVelocity, vector(speed, 0, 0))
+        );
+        t.cloud().iterate(U, p, nu);
+        for (const clumpParcel& parcel : t.cloud())
+        {
+            largest = max(largest, parcel.state().exchange);
+        }
+    }
+    reduce(largest, maxOp<scalar>());
+    CHECK(largest == 1024);
+
+    // More damping does not help: only a shorter step may
+    CHECK(t.cloud().needsShorterStep());
+}

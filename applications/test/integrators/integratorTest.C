@@ -252,3 +252,39 @@ TEST_CASE("integrators: coincident and inverted spheres are no singularity", "[h
     CHECK(energy(type, s) < 0.5*before);
     CHECK(max(mag(s.x - s.centre(type))) < 2*type.reach());
 }
+
+
+TEST_CASE("integrators: explicit steps follow a stiff conservation model", "[energy][serial]")
+{
+    // Moduli that are soft, as stiff as the bonds, and far stiffer
+    const string modulus = GENERATE("1e-5", "1e-3", "0.1", "10");
+    const label n = GENERATE(6, 10, 32);
+    dictionary dict(cellDict("type none;", "type linearElastic;", n));
+    dict.add
+    (
+        "conservationModel",
+        dictOf("type enclosedArea; areaModulus " + modulus + ";")
+    );
+    const clumpType type("cell", dict);
+    const integrators::velocityVerlet verlet
+    (
+        dictOf("type velocityVerlet; stepFraction 0.9;")
+    );
+
+    clumpState s(type);
+    Random random(41);
+    disturb(type, s, 0.02, random);
+    const integrator::externals nothing(type.size());
+    const scalar first = energy(type, s);
+    INFO("area modulus " << modulus << " N/m, " << n << " spheres");
+
+    // Two hundred sub-steps in twenty advances, longer than the bonds allow
+    const scalar dt = 10*verlet.stableStep(type, nothing, s.x);
+    scalar largest = 0;
+    for (label step = 0; step < 20; ++step)
+    {
+        verlet.advance(type, nothing, dt, s);
+        largest = max(largest, energy(type, s));
+    }
+    CHECK(largest < 2*first);
+}

@@ -67,7 +67,7 @@ void Foam::motion(const label nSteps)
         const auto method(select("type velocityVerlet; stepFraction 1;"));
         const integrator::externals nothing(type.size());
         const auto& verlet = refCast<const integrators::velocityVerlet>(*method);
-        const scalar dt = 0.05*verlet.stableStep(type, nothing);
+        const scalar dt = 0.05*verlet.stableStep(type, nothing, type.centres());
 
         clumpState s(type);
         excite(type, s, 0.01);

@@ -205,7 +205,7 @@ void Foam::deformableCloud::advance(const scalar dt)
         s.b = (s.w - imposed_[index].w)/dt;
         if (coupled())
         {
-            adaptExchange(parcel, lastChange_[index], change);
+            adaptExchange(parcel, index, change);
         }
         ++index;
     }
@@ -274,6 +274,16 @@ void Foam::deformableCloud::addLoads
 void Foam::deformableCloud::moveParcels()
 {
     const effects::timer t(effects_, "clumps");
+
+    if (coupled())
+    {
+        label nRaised = 0;
+        for (const bool raised : raised_)
+        {
+            nRaised += raised ? 1 : 0;
+        }
+        reportExchange(returnReduce(nRaised, sumOp<label>()));
+    }
 
     for (clumpParcel& parcel : *this)
     {

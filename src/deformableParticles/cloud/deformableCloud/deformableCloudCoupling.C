@@ -42,6 +42,8 @@ void Foam::deformableCloud::immerse
 {
     imposed_.setSize(size());
     lastChange_.setSize(size());
+    raised_.setSize(size());
+    raised_ = false;
     label index = 0;
     for (const clumpParcel& parcel : *this)
     {
@@ -200,11 +202,12 @@ void Foam::deformableCloud::gatherForces
 void Foam::deformableCloud::adaptExchange
 (
     clumpParcel& parcel,
-    vectorField& last,
+    const label index,
     const vectorField& now
 )
 {
     clumpState& s = parcel.state();
+    vectorField& last = lastChange_[index];
 
     const bool overshoots =
         sum(now & last) < 0
@@ -217,24 +220,48 @@ void Foam::deformableCloud::adaptExchange
         s.overshoots > 1
      || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(s.u)));
     last = now;
-    overshoots_ = overshoots_ || unstable;
-    if (!exchangeModel_->damps())
+    if (exchangeModel_->damps())
+    {
+        overshoots_ =
+            overshoots_ || (unstable && s.exchange >= maxExchangeFactor);
+        raised_[index] = raised_[index] || unstable;
+        s.exchange =
+            unstable
+          ? min(2*s.exchange, maxExchangeFactor)
+          : max(0.98*s.exchange, 1.0);
+    }
+    else
+    {
+        overshoots_ = overshoots_ || unstable;
+    }
+}
+
+
+void Foam::deformableCloud::reportExchange(const label nRaised) const
+{
+    if (!nRaised)
     {
         return;
     }
 
-    s.exchange = unstable ? 2*s.exchange : max(0.98*s.exchange, 1.0);
-    if (unstable)
+    scalar largest = 0;
+    label index = 0;
+    for (const clumpParcel& parcel : *this)
     {
-        Pout<< "Clump " << parcel.origId() << ": exchange overshoots, margin times "
-            << s.exchange << endl;
+        if (raised_[index++])
+        {
+            largest = max(largest, parcel.state().exchange);
+        }
     }
+    reduce(largest, maxOp<scalar>());
+
+    Info<< "Exchange overshoots: " << nRaised << " of " << nClumps_
+        << " clumps, margin times " << largest << " at most"
+        << (largest < maxExchangeFactor ? "" : ", the limit") << endl;
 }
 
 
 bool Foam::deformableCloud::needsShorterStep() const
 {
-    return
-        coupled() && !exchangeModel_->damps()
-     && returnReduce(overshoots_, orOp<bool>());
+    return coupled() && returnReduce(overshoots_, orOp<bool>());
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "sphereGrid.H"
 #include "uniformDimensionedFields.H"
 #include "StringStream.H"
 
@@ -142,19 +143,18 @@ void Foam::deformableCloud::decideEffects()
         {
             // Boxes meet, or may meet within this step
             const UList<clumpImage>& images = ghosts_.images();
-            bool near = false;
-            for (label a = 0; a < ghosts_.nOwn() && !near; ++a)
+            scalarField margins(ghosts_.nOwn());
+            forAll(margins, a)
             {
-                const scalar margin =
+                margins[a] =
                     2*max(mag(images[a].u))*mesh_.time().deltaTValue();
-                boundBox box(images[a].box);
-                box.min() -= margin*vector::one;
-                box.max() += margin*vector::one;
-                forAll(images, b)
-                {
-                    near = near || (b != a && box.overlaps(images[b].box));
-                }
             }
+            bool near = false;
+            sphereGrid::forEachNear
+            (
+                images, ghosts_.nOwn(), margins,
+                [&](const label, const label) { near = true; }
+            );
             reduce(near, orOp<bool>());
             effects_.decide
             (
@@ -169,6 +169,14 @@ void Foam::deformableCloud::decideEffects()
 
 void Foam::deformableCloud::decideWalls()
 {
+    // Walls are those of the neighbouring processors, too
+    if (wallsOf_ != ghosts_.neighbourhood())
+    {
+        wallsOf_ = ghosts_.neighbourhood();
+        walls_.clear();
+        wallClearance_ = 0;
+    }
+
     if (!effects_.automatic("walls"))
     {
         if (effects_.active("walls") && !walls_.valid())

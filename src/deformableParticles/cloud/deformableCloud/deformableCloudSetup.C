@@ -70,7 +70,8 @@ Foam::deformableCloud::deformableCloud
     overshoots_(false),
     g_(Zero),
     nClumps_(0),
-    wallClearance_(0)
+    wallClearance_(0),
+    wallsOf_(-1)
 {
     // Other entries of the file are the user's own, to be referred to
     refuseMisspelt

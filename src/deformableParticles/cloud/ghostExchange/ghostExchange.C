@@ -11,17 +11,81 @@
 #include "OPstream.H"
 #include "HashTable.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Fatal where clumps could not cross or touch a patch: what lies behind it
+//  would be missing from walls, contacts and forces
+void checkPatches(const polyBoundaryMesh& patches)
+{
+    const label n = patches.nNonProcessor();
+    labelList faces(n, Zero);
+    labelList rotates(n, Zero);
+
+    for (const polyPatch& pp : patches)
+    {
+        // A processor that has no faces of a cyclic may have some that meet
+        // the other side of it on another processor
+        const bool split = isA<processorCyclicPolyPatch>(pp);
+        const label patchi =
+            split
+          ? refCast<const processorCyclicPolyPatch>(pp).referPatchID()
+          : pp.index();
+
+        if (patchi < n && pp.size())
+        {
+            faces[patchi] += pp.size();
+            if (split || isA<cyclicPolyPatch>(pp))
+            {
+                const auto& cpp = refCast<const coupledPolyPatch>(pp);
+                rotates[patchi] += cpp.parallel() ? 0 : 1;
+            }
+        }
+    }
+    Pstream::listCombineGather(faces, plusEqOp<label>());
+    Pstream::listCombineScatter(faces);
+    Pstream::listCombineGather(rotates, plusEqOp<label>());
+    Pstream::listCombineScatter(rotates);
+
+    for (label patchi = 0; patchi < n; ++patchi)
+    {
+        const word& type = patches[patchi].type();
+        const bool supported =
+            isA<cyclicPolyPatch>(patches[patchi])
+          ? !rotates[patchi]
+          : !polyPatch::constraintType(type);
+
+        if (faces[patchi] && !supported)
+        {
+            FatalErrorInFunction
+                << "Patch " << patches[patchi].name() << " is of type " << type
+                << (rotates[patchi] ? ", rotational" : "")
+                << ", of which clumps have no images." << nl
+                << "    Supported are cyclic (translational), wall, and patch;"
+                << " for a plane of symmetry mesh both sides of it"
+                << exit(FatalError);
+        }
+    }
+}
+
+}
+
+
 Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
 :
     mesh_(mesh),
     procBoxes_(Pstream::nProcs()),
     reach_(-1),
+    nSearches_(0),
     nOwn_(0)
 {
     procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
     Pstream::gatherList(procBoxes_);
     Pstream::scatterList(procBoxes_);
 
+    checkPatches(mesh_.boundaryMesh());
     findShifts();
 }
 
@@ -77,13 +141,6 @@ void Foam::ghostExchange::findShifts()
         }
 
         const auto& cpp = refCast<const coupledPolyPatch>(pp);
-        if (!cpp.parallel())
-        {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " is a rotational cyclic: clumps "
-                << "can cross translational cyclics only"
-                << exit(FatalError);
-        }
         if (cpp.separated() && !separations.found(name))
         {
             // One sign for both sides
@@ -124,6 +181,7 @@ void Foam::ghostExchange::findNeighbours(const scalar reach)
     // A margin, so that a clump that stretches does not call for this again
     reach_ = 1.5*reach;
     neighbours_.clear();
+    ++nSearches_;
 
     boundBox mine(localBox());
     mine.min() -= 2*reach_*vector::one;

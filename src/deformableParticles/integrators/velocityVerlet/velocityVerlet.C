@@ -27,7 +27,8 @@ Foam::integrators::velocityVerlet::velocityVerlet(const dictionary& dict)
 Foam::scalar Foam::integrators::velocityVerlet::stableStep
 (
     const clumpType& type,
-    const externals& ext
+    const externals& ext,
+    const pointField& x
 ) const
 {
     const label n = type.size();
@@ -53,6 +54,13 @@ Foam::scalar Foam::integrators::velocityVerlet::stableStep
         }
     }
 
+    if (type.conservation().active())
+    {
+        vectorField grad(n);
+        type.conservation().deviation(x, grad);
+        K += type.conservation().stiffness()*sum(mag(grad))*mag(grad);
+    }
+
     scalar result = GREAT;
     for (label i = 0; i < n; ++i)
     {
@@ -76,7 +84,7 @@ void Foam::integrators::velocityVerlet::advance
     clumpState& s
 ) const
 {
-    const scalar stable = stableStep(type, ext);
+    const scalar stable = stableStep(type, ext, s.x);
     const label nSub = dt > stable ? label(std::ceil(dt/stable)) : 1;
     const scalar h = dt/nSub;
 

@@ -8,6 +8,119 @@
 #include "IPstream.H"
 #include "OPstream.H"
 #include "treeBoundBox.H"
+#include "mathematicalConstants.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Part of the force of an unbounded plane at a height h that comes from within
+//  the distance s of the centre
+scalar shareWithin(const scalar s, const scalar h, const scalar r)
+{
+    if (s >= r)
+    {
+        return 1;
+    }
+    const scalar e = (r - s)/max(r - h, VSMALL);
+    return 1 - h/s*e*Foam::sqrt(e);
+}
+
+
+//- Integral of shareWithin over the angle at the foot of the centre, along a
+//  line that passes the foot at a distance p, from its nearest point to t
+scalar angleShare
+(
+    const scalar t,
+    const scalar p,
+    const scalar h,
+    const scalar r
+)
+{
+    // Gauss points of eight in [0, 1], twice
+    static const scalar x[] =
+    {
+        0.183434642495650, 0.525532409916329, 0.796666477413627,
+        0.960289856497536
+    };
+    static const scalar w[] =
+    {
+        0.362683783378362, 0.313706645877887, 0.222381034453374,
+        0.101228536290376
+    };
+
+    const scalar length = mag(t);
+    const scalar chord2 = sqr(r) - sqr(h) - sqr(p);
+    const scalar within =
+        chord2 > 0 ? min(length, Foam::sqrt(chord2)) : scalar(0);
+
+    // Outside the sphere all lies within
+    scalar result = std::atan2(length, p);
+    if (within <= 0)
+    {
+        return t < 0 ? -result : result;
+    }
+    result -= std::atan2(within, p);
+
+    // t = p sinh(v) takes the peak at the foot out
+    const scalar half = 0.25*std::asinh(within/p);
+    for (const label part : {1, 3})
+    {
+        for (label k = 0; k < 4; ++k)
+        {
+            for (const scalar at : {part - x[k], part + x[k]})
+            {
+                const scalar c = std::cosh(half*at);
+                const scalar s = Foam::sqrt(sqr(h) + sqr(p*c));
+                result += half*w[k]*shareWithin(s, h, r)/c;
+            }
+        }
+    }
+
+    return t < 0 ? -result : result;
+}
+
+
+//- Part of the force of an unbounded plane that a triangle of it takes
+scalar shareOf
+(
+    const triPointRef& triangle,
+    const vector& normal,
+    const point& centre,
+    const scalar height,
+    const scalar r
+)
+{
+    const point corners[] = {triangle.a(), triangle.b(), triangle.c()};
+    const scalar h = max(height, 1e-9*r);
+    scalar result = 0;
+
+    for (label k = 0; k < 3; ++k)
+    {
+        const vector a(corners[k] - centre);
+        const vector b(corners[(k + 1) % 3] - centre);
+        const scalar length = mag(b - a);
+        if (length < 1e-12*r)
+        {
+            continue;
+        }
+        const vector along((b - a)/length);
+        const scalar p = (a ^ along) & normal;
+        if (mag(p) > 1e-9*r)
+        {
+            result += sign(p)
+               *(
+                    angleShare(b & along, mag(p), h, r)
+                  - angleShare(a & along, mag(p), h, r)
+                );
+        }
+    }
+
+    return max(result/constant::mathematical::twoPi, scalar(0));
+}
+
+}
 
 Foam::wallSurface::wallSurface
 (
@@ -59,6 +172,18 @@ Foam::wallSurface::wallSurface
         }
     }
 
+    makeSearch(corners);
+}
+
+
+Foam::wallSurface::wallSurface(const UList<point>& corners)
+{
+    makeSearch(corners);
+}
+
+
+void Foam::wallSurface::makeSearch(const UList<point>& corners)
+{
     if (corners.size())
     {
         List<labelledTri> triangles(corners.size()/3);
@@ -100,54 +225,101 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
         return result;
     }
 
-    // As deep as a radius behind the wall is still recognised
-    const auto& tree = search_->tree();
-    const pointIndexHit nearest(tree.findNearest(x, sqr(radius)));
-    if (!nearest.hit())
+    struct facet
     {
-        return result;
-    }
+        label triangle;
+        vector out;         // unit, out of the fluid
+        scalar height;      // of the centre over its plane, into the fluid
+    };
+    DynamicList<facet> facets;
 
-    const auto append = [&](const point& foot, const label triangle)
+    // Is the centre behind the wall? Of the triangles that share the nearest
+    // point, an edge or a corner, the one it is farthest from the plane of says
+    scalar nearest = radius;
+    scalar side = 0;
+
+    const auto triangleOf = [&](const label t)
     {
-        // Normals point out of the mesh
-        const vector out(normalised(surface_->faceNormals()[triangle]));
-        const vector away(x - foot);
-        const scalar gap = mag(away);
-        const scalar side = (away & out) < 0 ? 1 : -1;
-        const vector n(gap > SMALL*radius ? side*away/gap : -out);
-
-        for (const contact& c : result)
-        {
-            if ((c.normal & n) > 0.9)
-            {
-                return;
-            }
-        }
-        result.append({n, radius - side*gap});
+        const labelledTri& corner = (*surface_)[t];
+        const pointField& points = surface_->points();
+        return triPointRef
+        (
+            points[corner[0]], points[corner[1]], points[corner[2]]
+        );
     };
 
-    append(nearest.rawPoint(), nearest.index());
-
-    const labelList others
+    const labelList near
     (
-        tree.findBox(treeBoundBox(x - radius*vector::one, x + radius*vector::one))
-    );
-    for (const label t : others)
-    {
-        const triPointRef tri
+        search_->tree().findBox
         (
-            surface_->points()[(*surface_)[t][0]],
-            surface_->points()[(*surface_)[t][1]],
-            surface_->points()[(*surface_)[t][2]]
-        );
-        const point foot(tri.nearestPoint(x).rawPoint());
-        const vector out(normalised(surface_->faceNormals()[t]));
-        const scalar gap = mag(x - foot);
-
-        if (gap < radius && mag((x - foot) & out) > 0.999*gap)
+            treeBoundBox(x - radius*vector::one, x + radius*vector::one)
+        )
+    );
+    for (const label t : near)
+    {
+        const triPointRef triangle(triangleOf(t));
+        const vector area(triangle.areaNormal());
+        if (mag(area) < 1e-12*sqr(radius))
         {
-            append(foot, t);
+            continue;
+        }
+        const vector out(area/mag(area));
+        const scalar height = (triangle.a() - x) & out;
+        const scalar gap = triangle.nearestPoint(x).distance();
+        if (gap >= radius)
+        {
+            continue;
+        }
+        facets.append({t, out, height});
+
+        if (gap < nearest - 1e-9*radius)
+        {
+            nearest = gap;
+            side = height;
+        }
+        else if
+        (
+            gap < nearest + 1e-9*radius
+         && mag(height) > mag(side)*(1 - sign(height)*1e-9)
+        )
+        {
+            side = height;
+        }
+    }
+    const bool behind = side < -1e-9*radius;
+
+    for (const facet& f : facets)
+    {
+        if (behind ? f.height > 0 : f.height < 0)
+        {
+            continue;
+        }
+        const scalar share =
+            shareOf(triangleOf(f.triangle), f.out, x, mag(f.height), radius);
+        if (share < 1e-9)
+        {
+            continue;
+        }
+
+        // The pieces of one plane are one contact
+        const contact c{-f.out, radius - f.height, share};
+        bool known = false;
+        for (contact& other : result)
+        {
+            if
+            (
+                mag(other.normal - c.normal) < 1e-6
+             && mag(other.overlap - c.overlap) < 1e-6*radius
+            )
+            {
+                other.share += share;
+                known = true;
+                break;
+            }
+        }
+        if (!known)
+        {
+            result.append(c);
         }
     }
 

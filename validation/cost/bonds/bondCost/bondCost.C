@@ -86,7 +86,7 @@ void explicitCost
     const auto method(select("type velocityVerlet; stepFraction 0.5;"));
     const auto& verlet = refCast<const integrators::velocityVerlet>(*method);
     const integrator::externals nothing(type.size());
-    const scalar dt = 0.5*verlet.stableStep(type, nothing);
+    const scalar dt = 0.5*verlet.stableStep(type, nothing, type.centres());
     List<clumpState> clumps(rings(type, n));
 
     // The sub-steps of one fluid step

@@ -1,0 +1,332 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCloud.H"
+#include "contactShares.H"
+#include "contactModel.H"
+#include "wallContactModel.H"
+#include "mathematicalConstants.H"
+
+using namespace Foam;
+
+namespace
+{
+
+const scalar r = 2e-6;
+
+//- Centres of a ring of n spheres about z
+pointField ringOf(const label n, const scalar R)
+{
+    pointField x(n);
+    forAll(x, i)
+    {
+        const scalar angle = constant::mathematical::twoPi*i/n;
+        x[i] = R*vector(Foam::cos(angle), Foam::sin(angle), 0);
+    }
+    return x;
+}
+
+struct pressed
+{
+    vector force;       // on A
+    vector reaction;    // on B
+    vector torque;      // of both about the origin
+    scalar largest;     // of one pair
+};
+
+//- Two clumps of spheres of one radius under the Hertz law
+pressed press
+(
+    const pointField& xA, const pointField& xB, const bool shared = true
+)
+{
+    static const auto model
+    (
+        selectModel<contactModel>
+        (
+            dictOf("type hertz; reducedModulus 1000; restitution 1;")
+        )
+    );
+    const auto touching = [](const pointField& x, const pointField& y)
+    {
+        DynamicList<contactShares::pair> pairs;
+        forAll(x, i)
+        {
+            forAll(y, j)
+            {
+                const vector d(x[i] - y[j]);
+                if (mag(d) < 2*r)
+                {
+                    pairs.append({0, i, 1, j, d/mag(d), 2*r - mag(d), 1, 0});
+                }
+            }
+        }
+        return pairs;
+    };
+
+    // As the owner of each of them sees it
+    pressed result{Zero, Zero, Zero, 0};
+    const scalarField radiiA(xA.size(), r), radiiB(xB.size(), r);
+    for (const bool first : {true, false})
+    {
+        const pointField& x = first ? xA : xB;
+        auto pairs(first ? touching(xA, xB) : touching(xB, xA));
+        if (shared && first)
+        {
+            contactShares::set(pairs, xA, radiiA, xB, radiiB);
+        }
+        else if (shared)
+        {
+            contactShares::set(pairs, xB, radiiB, xA, radiiA);
+        }
+        for (const contactShares::pair& p : pairs)
+        {
+            const scalar depth = shared ? p.depth : p.overlap;
+            const vector f
+            (
+                p.share*model->force(depth, 0, r, r, 1, 1)*p.normal
+            );
+            (first ? result.force : result.reaction) += f;
+
+            // Along the line of centres it has the same arm on both
+            result.torque += x[p.i] ^ f;
+            result.largest = max(result.largest, mag(f));
+        }
+    }
+    return result;
+}
+
+//- Rings side by side on one axis, or in one plane, crown to crown
+pressed faceToFace(const label n, const scalar R, const scalar d, const bool shared = true)
+{
+    const pointField x(ringOf(n, R));
+    return press(x, x - vector(0, 0, 2*r - d), shared);
+}
+
+pressed edgeToEdge(const label n, const scalar R, const scalar d, const bool shared = true)
+{
+    const pointField x(ringOf(n, R));
+    return press(x, x - vector(2*(R + r) - d, 0, 0), shared);
+}
+
+}
+
+
+TEST_CASE("contact shares: a lone pair has the law to itself", "[contact][serial]")
+{
+    const pointField one(1, point::zero);
+    const scalar d = 0.05*r;
+    const vector f(press(one, pointField(1, point(2*r - d, 0, 0))).force);
+    CHECK(mag(f) == Approx(4.0/3.0*1000*Foam::sqrt(0.5*r*d)*d));
+
+    // Spheres that touch their neighbours in the clump, but for exp(-8)
+    const pointField row({point(0, 0, 0), point(2*r, 0, 0), point(4*r, 0, 0)});
+    const pointField other(row + vector(0, 0, 2*r - d));
+    CHECK(mag(press(row, other).force) == Approx(3*mag(f)).epsilon(1e-3));
+}
+
+
+TEST_CASE("contact shares: as stiff for any number of spheres", "[contact][serial]")
+{
+    for (const scalar d : {0.02*r, 0.05*r, 0.1*r, 0.2*r})
+    {
+        for (const scalar R : {r, 1.5*r})
+        {
+            const scalar face = mag(faceToFace(64, R, d).force);
+            const scalar edge = mag(edgeToEdge(64, R, d).force);
+            const scalar alone = 4.0/3.0*1000*Foam::sqrt(0.5*r*d)*d;
+            const scalar line =
+                constant::mathematical::twoPi*R
+               /(r*Foam::sqrt(constant::mathematical::piByTwo));
+
+            // The patch of a deep contact is no longer small beside the kernel
+            const scalar within = d > 0.15*r ? 0.12 : 0.08;
+
+            INFO("overlap " << d/r << " radii, ring " << R/r << " radii");
+            CHECK(face == Approx(line*alone).epsilon(within));
+            CHECK(edge == Approx(alone).epsilon(within));
+
+            for (const label n : {8, 10, 16, 32})
+            {
+                INFO
+                (
+                    n << " spheres: face to face "
+                      << mag(faceToFace(n, R, d).force)/face
+                      << " (unshared "
+                      << mag(faceToFace(n, R, d, false).force)/face
+                      << "), edge to edge "
+                      << mag(edgeToEdge(n, R, d).force)/edge
+                      << " (unshared "
+                      << mag(edgeToEdge(n, R, d, false).force)/edge << ')'
+                );
+                CHECK(mag(faceToFace(n, R, d).force) == Approx(face).epsilon(within));
+                CHECK(mag(edgeToEdge(n, R, d).force) == Approx(edge).epsilon(within));
+            }
+        }
+    }
+}
+
+
+TEST_CASE("contact shares: action and reaction", "[contact][serial]")
+{
+    Random random(31);
+    label met = 0;
+    for (label k = 0; k < 50; ++k)
+    {
+        const label n = 6 + k % 20;
+        pointField xA(ringOf(n, 1.2*r)), xB(ringOf(30 - n, 1.4*r));
+        const tensor turn(randomRotation(random).R());
+        const vector away(2.5*r*randomVector(random));
+        forAll(xA, i)
+        {
+            xA[i] = (turn & xA[i]) + away + 0.2*r*randomVector(random);
+        }
+        const pressed p(press(xA, xB));
+        CHECK(mag(p.force + p.reaction) <= 1e-12*p.largest);
+        CHECK(mag(p.torque) <= 1e-12*p.largest*10*r);
+        met += p.largest > 0 ? 1 : 0;
+    }
+    CHECK(met > 20);
+}
+
+
+TEST_CASE("contact shares: the force changes continuously", "[contact][serial]")
+{
+    // A ring slides over another, tilted one, so that pairs come and go
+    const label n = GENERATE(8, 10, 16, 32);
+    pointField xA(ringOf(n, 1.2*r)), xB(ringOf(n, 1.2*r));
+    const tensor turn(rotation(vector(0.3, 0.2, 0.5)).R());
+    forAll(xA, i)
+    {
+        xA[i] = (turn & xA[i]) + vector(0, 0, 1.95*r);
+    }
+
+    vector before(Zero);
+    scalar jump = 0, largest = 0;
+    const label nSteps = 4000;
+    for (label k = 0; k <= nSteps; ++k)
+    {
+        const vector way(3*r*(2*scalar(k)/nSteps - 1), 0.1*r, 0);
+        const vector f(press(xA + way, xB).force);
+        jump = k ? max(jump, mag(f - before)) : 0;
+        largest = max(largest, mag(f));
+        before = f;
+    }
+    CHECK(largest > 0);
+    CHECK(jump < 0.01*largest);
+}
+
+
+TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
+{
+    // Floor far larger than the ring
+    const point a(-20e-6, -20e-6, 0), b(20e-6, -20e-6, 0);
+    const point c(20e-6, 20e-6, 0), e(-20e-6, 20e-6, 0);
+    const wallSurface floor(List<point>({a, c, b, a, e, c}));
+    const auto model
+    (
+        selectModel<wallContactModel>
+        (
+            dictOf("type hertz; reducedModulus 1000; restitution 1;")
+        )
+    );
+    const scalar d = 0.1*r, R = 1.2*r;
+    const scalar alone = model->force(d, 0, r, 1);
+
+    for (const label n : {8, 10, 16, 32, 64})
+    {
+        pointField flat(ringOf(n, R));
+        pointField upright(n);
+        forAll(flat, i)
+        {
+            upright[i] = point(flat[i].y(), 0, flat[i].x() + R + r - d);
+            flat[i].z() = r - d;
+        }
+
+        const auto push = [&](const pointField& x)
+        {
+            vector f(Zero);
+            for (const auto& w : contactShares::ofWalls(floor, x, scalarField(n, r)))
+            {
+                f += w.share*w.wall.normal*model->force(w.depth, 0, r, 1);
+            }
+            return f;
+        };
+        // The lowest sphere of upright is at angle pi
+        const vector lying(push(flat)), standing(push(upright));
+        INFO(n << " spheres: lying " << lying.z()/alone << ", standing "
+            << standing.z()/alone);
+        CHECK
+        (
+            mag
+            (
+                lying
+              - alone*vector(0, 0, 1)*constant::mathematical::twoPi*R
+               /(r*Foam::sqrt(constant::mathematical::piByTwo))
+            )
+          < 0.06*mag(lying)
+        );
+        CHECK(mag(standing - alone*vector(0, 0, 1)) < 0.08*alone);
+    }
+}
+
+
+TEST_CASE("contact shares: two rings of a cloud", "[contact][serial]")
+{
+    // The momentum that a ring gains in a short step
+    const scalar d = 0.1*1.955e-6, D = 2*1.955e-6 - d;
+    const scalar dt0 = testTime().deltaTValue();
+    const scalar dt = 1e-10;
+    scalar first = 0;
+
+    for (const label n : {8, 16, 32})
+    {
+        OStringStream os;
+        os.precision(15);
+        os  << "placement { type list; clumps ("
+            << "{ type cell; position (10e-6 10e-6 5e-6); }"
+            << "{ type cell; position (10e-6 10e-6 " << 5e-6 + D << "); }); }"
+            << "integrator { type implicitEuler; tolerance 1e-9;"
+            << " maxIterations 100; }"
+            << "contactModel { type hertz; reducedModulus 100; restitution 1; }"
+            << "wallContactModel { type none; }"
+            << "effects { fluid off; }";
+        dictionary dict(dictOf(os.str()));
+        dictionary types;
+        types.add
+        (
+            "cell",
+            cellDict
+            (
+                "type dampingRatio; beta 1500;",
+                "type strainStiffening; stiffening 0.3;", n
+            )
+        );
+        dict.add("types", types);
+
+        testTime().setDeltaT(dt, false);
+        openCloud cloud(testMesh(), dict);
+        cloud.evolve();
+        testTime().setDeltaT(dt0, false);
+
+        scalar gained = 0;
+        vector total(Zero);
+        for (const clumpParcel& p : cloud)
+        {
+            const vector impulse
+            (
+                cloud.type(p).mass()*p.state().velocity(cloud.type(p))
+            );
+            total += impulse;
+            gained = max(gained, mag(impulse));
+        }
+        first = n == 8 ? gained : first;
+        INFO(n << " spheres: " << gained/dt << " N");
+        CHECK(gained > 0);
+        CHECK(mag(total) < 1e-10*gained);
+        CHECK(gained == Approx(first).epsilon(0.08));
+    }
+}

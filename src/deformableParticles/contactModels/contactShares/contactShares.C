@@ -1,0 +1,111 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "contactShares.H"
+
+void Foam::contactShares::set
+(
+    UList<pair>& pairs,
+    const UList<point>& xA,
+    const UList<scalar>& rA,
+    const UList<point>& xB,
+    const UList<scalar>& rB
+)
+{
+    for (pair& p : pairs)
+    {
+        scalar sum = 0;
+        p.depth = 0;
+
+        for (const pair& q : pairs)
+        {
+            const scalar W =
+                kernel(xA[p.i], xA[q.i], rA[p.i], rA[q.i])
+               *kernel(xB[p.j], xB[q.j], rB[p.j], rB[q.j]);
+
+            sum += sqr(q.overlap)*W;
+            p.depth = max(p.depth, q.overlap*Foam::sqrt(W));
+        }
+        p.share = sqr(p.overlap)/max(sum, VSMALL);
+    }
+}
+
+
+Foam::DynamicList<Foam::contactShares::wallContact>
+Foam::contactShares::ofWalls
+(
+    const wallSurface& walls,
+    const UList<point>& x,
+    const UList<scalar>& r
+)
+{
+    DynamicList<wallContact> result;
+    labelList first(x.size() + 1, Zero);
+
+    forAll(x, i)
+    {
+        for (const wallSurface::contact& c : walls.contacts(x[i], r[i]))
+        {
+            result.append({i, c, 0, 0});
+        }
+        first[i + 1] = result.size();
+    }
+
+    // Share of a sphere's contacts in a direction, and square of their overlap
+    const auto sums = [&](const label k, const vector& n, scalar& share)
+    {
+        scalar overlap2 = 0;
+        share = 0;
+        for (label m = first[k]; m < first[k + 1]; ++m)
+        {
+            const wallSurface::contact& c = result[m].wall;
+            const scalar s = c.share*sqr(max(n & c.normal, scalar(0)));
+            share += s;
+            overlap2 += s*sqr(c.overlap);
+        }
+        return overlap2;
+    };
+
+    for (wallContact& c : result)
+    {
+        scalar share;
+        const scalar own = sums(c.i, c.wall.normal, share);
+        const scalar mean2 = own/share;
+        scalar sum = 0;
+        scalar deepest = mean2;
+
+        forAll(x, k)
+        {
+            if (first[k + 1] > first[k])
+            {
+                const scalar W2 = sqr(kernel(x[c.i], x[k], r[c.i], r[k]));
+                const scalar G = sums(k, c.wall.normal, share)*W2;
+                sum += G;
+                deepest = max(deepest, G);
+            }
+        }
+        c.share = c.wall.share*own/sum;
+        c.depth = c.wall.overlap*Foam::sqrt(deepest/mean2);
+    }
+
+    return result;
+}
+
+
+Foam::scalar Foam::contactShares::mass
+(
+    const label i,
+    const UList<point>& x,
+    const UList<scalar>& r,
+    const UList<scalar>& masses
+)
+{
+    scalar result = 0;
+    forAll(x, k)
+    {
+        result += masses[k]*sqr(kernel(x[i], x[k], r[i], r[k]));
+    }
+    return result;
+}

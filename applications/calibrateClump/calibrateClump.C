@@ -25,6 +25,7 @@ Description
                                                 // these changes to the type
         parameters  { ... }                     // see freeParameters; may be {}
         norm        2;                          // see fit
+        starts      4;                          // optional, see fit
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
@@ -173,7 +174,14 @@ int main(int argc, char* argv[])
     }
 
     fit solution(*test, data, parameters, type, variants);
-    const Eigen::VectorXd y(solution.run(getPositive(dict, "norm")));
+    const Eigen::VectorXd y
+    (
+        solution.run
+        (
+            getPositive(dict, "norm"),
+            dict.found("starts") ? getNumber(dict, "starts", 1, 1000) : 4
+        )
+    );
     const Eigen::VectorXd z(solution.residuals(y));
     const scalarField sigma(solution.uncertainties(y));
 

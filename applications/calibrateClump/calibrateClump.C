@@ -225,6 +225,12 @@ int main(int argc, char* argv[])
     Info<< nl << "largest |z| " << z.cwiseAbs().maxCoeff() << ", RMS "
         << z.norm()/Foam::sqrt(scalar(z.size())) << nl
         << "unstable states " << unstable << nl
+        << "volume [m3]";
+    for (label v = 0; v < solution.nVariants(); ++v)
+    {
+        Info<< ' ' << clumpType("fit", solution.type(y, v)).volume();
+    }
+    Info<< nl
         << solution.nCalls() << " curves in " << timer.elapsedTime() << " s"
         << nl << "Wrote " << folder << nl << endl;
 

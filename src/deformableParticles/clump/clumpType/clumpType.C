@@ -18,8 +18,8 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     (
         dict,
         {
-            "shape", "density", "massModel", "motion", "bondModel",
-            "dampingModel", "conservationModel"
+            "shape", "density", "massModel", "motion", "nominalVolume",
+            "bondModel", "dampingModel", "conservationModel"
         }
     );
 
@@ -39,6 +39,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     fixed_ = motion == "fixed";
 
     setMasses(dict);
+    nominalVolume_ = getPositiveOrDefault(dict, "nominalVolume", volume_);
 
     reach_ = max(mag(centres_) + radii_);
 

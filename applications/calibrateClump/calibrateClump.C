@@ -34,7 +34,7 @@ Description
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
-#include "clockTime.H"
+#include "cpuTime.H"
 
 using namespace Foam;
 
@@ -127,7 +127,7 @@ int main(int argc, char* argv[])
     argList::addOption("variant", "number", "fit this variant alone");
     argList args(argc, argv, false, false);
 
-    const clockTime timer;
+    const cpuTime timer;
     const fileName file(args[1]);
     IFstream is(file);
     if (!is.good())
@@ -231,7 +231,7 @@ int main(int argc, char* argv[])
         Info<< ' ' << clumpType("fit", solution.type(y, v)).volume();
     }
     Info<< nl
-        << solution.nCalls() << " curves in " << timer.elapsedTime() << " s"
+        << solution.nCalls() << " curves in " << timer.elapsedCpuTime() << " s of a processor"
         << nl << "Wrote " << folder << nl << endl;
 
     UPstream::exit(0);

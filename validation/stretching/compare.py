@@ -63,7 +63,7 @@ for case, name in POPULATIONS.items():
 
     if os.path.exists(f"{case}.fit"):
         out.add(f"{name}: fitted anew, largest residual", worst(case + ".fit"), "error bars", 0, 0.8, SURESH)
-        out.add(f"{name}: time of that fit", seconds(f"log.{case}.fit"), "s", 0, 30, "wanted")
+        out.add(f"{name}: processor time of that fit", seconds(f"log.{case}.fit"), "s", 0, 30, "wanted")
         for v, n in enumerate(SIZES):
             out.add(f"{name}: fitted for N = {n} alone, largest residual", worst(f"{case}.fit{v}"), "error bars", 0, 0.7,
                     SURESH)

@@ -6,6 +6,8 @@
 #include "fit.H"
 #include "boundedLeastSquares.H"
 #include "SortableList.H"
+#include <utility>
+#include <vector>
 
 Foam::fit::fit
 (
@@ -85,7 +87,7 @@ Foam::scalar Foam::fit::minimise(Eigen::VectorXd& y, const scalar norm)
     norm_ = norm;
     const boundedLeastSquares solver
     (
-        [this](const Eigen::VectorXd& x){ return values(x); }, 1e-8, 200
+        [this](const Eigen::VectorXd& x){ return values(x); }, 1e-6, 200
     );
     return solver.minimise(y);
 }
@@ -97,7 +99,7 @@ Foam::List<Eigen::VectorXd> Foam::fit::starts(const label n)
     result[0] = parameters_.start(type_);
 
     norm_ = 2;
-    SortableList<scalar> sums(20*(n - 1));
+    SortableList<scalar> sums(10*(n - 1));
     forAll(sums, k)
     {
         sums[k] = values(parameters_.point(k + 1)).squaredNorm();
@@ -120,7 +122,7 @@ Eigen::VectorXd Foam::fit::run(const scalar norm, const label nStarts)
 
     Eigen::VectorXd best;
     scalar lowest = GREAT;
-    DynamicList<Eigen::VectorXd> seen;
+    std::vector<std::pair<Eigen::VectorXd, scalar>> seen;
 
     Info<< nl << "start" << tab << "RMS" << tab << "largest |z|" << nl;
     const List<Eigen::VectorXd> all(starts(nStarts));
@@ -129,16 +131,21 @@ Eigen::VectorXd Foam::fit::run(const scalar norm, const label nStarts)
         Eigen::VectorXd y(all[s]);
         scalar sum = minimise(y, 2);
         bool met = false;
-        for (const Eigen::VectorXd& other : seen)
+        for (const auto& other : seen)
         {
-            met = met || (y - other).lpNorm<Eigen::Infinity>() < 1e-3;
+            met =
+                met
+             || (
+                    (y - other.first).lpNorm<Eigen::Infinity>() < 0.1
+                 && mag(sum - other.second) < 1e-3*sum
+                );
         }
         if (met)
         {
             Info<< s << tab << "meets one before" << nl;
             continue;
         }
-        seen.append(y);
+        seen.push_back(std::make_pair(y, sum));
 
         for (scalar p = 4; p < norm; p *= 2)
         {

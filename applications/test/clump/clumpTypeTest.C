@@ -127,6 +127,21 @@ TEST_CASE("type: full spheres weigh more than their union", "[type][serial]")
 }
 
 
+TEST_CASE("type: spheres too small for a union", "[type][serial]")
+{
+    dictionary dict(cellDict());
+    dict.set("massModel", word("fullSpheres"));
+    dict.set
+    (
+        "shape",
+        dictOf("type ring; nSpheres 10; ringRadius 1; sphereRadius 1e-6;")
+    );
+    const clumpType type("cell", dict);
+    CHECK(type.mass() > 0);
+    CHECK(type.nominalVolume() == type.volume());
+}
+
+
 TEST_CASE("type: what is wrong is told", "[type][serial]")
 {
     dictionary dict(cellDict());

@@ -39,7 +39,11 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     fixed_ = motion == "fixed";
 
     setMasses(dict);
-    nominalVolume_ = getPositiveOrDefault(dict, "nominalVolume", volume_);
+
+    // That of spheres far too small may be zero, with massModel fullSpheres
+    nominalVolume_ =
+        dict.found("nominalVolume")
+      ? getPositive(dict, "nominalVolume") : volume_;
 
     reach_ = max(mag(centres_) + radii_);
 

@@ -13,13 +13,19 @@ VOLUME = 94
 MODULI = ["1e-5", "2e-5", "5e-5", "1e-4"]
 
 
-def curve(case):
+def curve(case, kind="evaluated"):
     """{N: [(force pN, axial um, transverse um)]}"""
     result = {}
-    for row in r.read_table(f"{case}.evaluated/curve.csv"):
+    for row in r.read_table(f"{case}.{kind}/curve.csv"):
         result.setdefault(SIZES[int(row["variant"])], []).append(
             (1e12*float(row["force"]), 1e6*float(row["axial"]), 1e6*float(row["transverse"])))
     return result
+
+
+def spread(curves):
+    """Largest difference between the numbers of spheres, %, and its force"""
+    return max((100*(max(values)/min(values) - 1), curves[8][k][0]) for k in range(len(curves[8])) for q in (1, 2)
+               for values in [[curves[n][k][q] for n in SIZES]])
 
 
 def residuals(folder):
@@ -46,13 +52,7 @@ for case, name in POPULATIONS.items():
         data.append([name, SIZES[row[0]], *row[1:]])
     out.add(f"{name}: largest residual, N = 8, 10, 16, one set", worst(case + ".evaluated"), "error bars", 0, 0.8, SURESH)
 
-    curves = curve(case)
-    spread = 0
-    for k in range(len(curves[8])):
-        for q in (1, 2):
-            values = [curves[n][k][q] for n in SIZES]
-            spread = max(spread, 100*(max(values)/min(values) - 1))
-    out.add(f"{name}: largest difference between N = 8, 10 and 16", spread, "%", 0, 5, "each other")
+    out.add(f"{name}: largest difference between N = 8, 10 and 16", spread(curve(case))[0], "%", 0, 5, "each other")
 
     volumes = [1e18*float(v) for v in found(r"volume \[m3\] (.*)", f"log.{case}").split()]
     out.add(f"{name}: volume, N of the largest deviation", max(volumes, key=lambda v: abs(v - VOLUME)), "um3", VOLUME,
@@ -62,6 +62,7 @@ for case, name in POPULATIONS.items():
     out.add(f"{name}: states that buckle", unstable, "-", 0, 0, "second variation of the energy")
 
     if os.path.exists(f"{case}.fit"):
+        print(f"{name}, fitted anew: difference between N %.2f %% at %.0f pN" % spread(curve(case, "fit")))
         out.add(f"{name}: fitted anew, largest residual", worst(case + ".fit"), "error bars", 0, 0.8, SURESH)
         out.add(f"{name}: processor time of that fit", seconds(f"log.{case}.fit"), "s", 0, 30, "wanted")
         for v, n in enumerate(SIZES):

@@ -30,9 +30,9 @@ scalar energyOf(const clumpType& type, const clumpState& s)
 clumpType cell(const string& damping)
 {
     line l;
-    l.EA = 81.6e-12;
-    l.GA = 77.3e-12;    // in series with the bending of a bond
-    l.EI = 14.6e-24;
+    l.EA = 91.4e-12;
+    l.GA = 68.3e-12;    // in series with the bending of a bond
+    l.EI = 12.9e-24;
     l.GJ = 10e-24;
     l.radius = 1.4756e-6;
     l.density = 1098;

@@ -238,8 +238,9 @@ void Foam::deformableCloud::reportFractions() const
     (
         placement::fractions(types_, numbers, gSum(mesh_.V()))
     );
-    Info<< "Haematocrit " << fractions.first() << ", volume fraction of the "
-        << "spheres' unions " << fractions.second() << endl;
+    Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
+        << ", volume fraction of the spheres' unions "
+        << Foam::name(fractions.second()).c_str() << endl;
 }
 
 

@@ -25,6 +25,7 @@ Description
                                                 // these changes to the type
         parameters  { ... }                     // see freeParameters; may be {}
         norm        2;                          // see fit
+        starts      4;                          // optional, see fit
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
@@ -33,7 +34,7 @@ Description
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
-#include "clockTime.H"
+#include "cpuTime.H"
 
 using namespace Foam;
 
@@ -126,7 +127,7 @@ int main(int argc, char* argv[])
     argList::addOption("variant", "number", "fit this variant alone");
     argList args(argc, argv, false, false);
 
-    const clockTime timer;
+    const cpuTime timer;
     const fileName file(args[1]);
     IFstream is(file);
     if (!is.good())
@@ -173,7 +174,14 @@ int main(int argc, char* argv[])
     }
 
     fit solution(*test, data, parameters, type, variants);
-    const Eigen::VectorXd y(solution.run(getPositive(dict, "norm")));
+    const Eigen::VectorXd y
+    (
+        solution.run
+        (
+            getPositive(dict, "norm"),
+            dict.found("starts") ? getNumber(dict, "starts", 1, 1000) : 4
+        )
+    );
     const Eigen::VectorXd z(solution.residuals(y));
     const scalarField sigma(solution.uncertainties(y));
 
@@ -217,7 +225,13 @@ int main(int argc, char* argv[])
     Info<< nl << "largest |z| " << z.cwiseAbs().maxCoeff() << ", RMS "
         << z.norm()/Foam::sqrt(scalar(z.size())) << nl
         << "unstable states " << unstable << nl
-        << solution.nCalls() << " curves in " << timer.elapsedTime() << " s"
+        << "volume [m3]";
+    for (label v = 0; v < solution.nVariants(); ++v)
+    {
+        Info<< ' ' << clumpType("fit", solution.type(y, v)).volume();
+    }
+    Info<< nl
+        << solution.nCalls() << " curves in " << timer.elapsedCpuTime() << " s of a processor"
         << nl << "Wrote " << folder << nl << endl;
 
     UPstream::exit(0);

@@ -10,9 +10,9 @@ Group
 
 Description
     Places the clumps of constant/clumpProperties, placement (a list, a lattice
-    or a random packing to a haematocrit), and writes them to the start time,
-    so that decomposePar can share them out and ParaView can show them.
-    Clumps already there are replaced.
+    or a random packing to a haematocrit), tells haematocrit and volume fraction,
+    and writes them to the start time, so that decomposePar can share them out
+    and ParaView can show them. Clumps already there are replaced.
 
     rbcIbFoam places the clumps by itself where the start time has none.
 \*---------------------------------------------------------------------------*/

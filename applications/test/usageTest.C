@@ -177,6 +177,40 @@ TEST_CASE("usage: placement", "[usage][serial]")
         CHECK(nearest >= 2*1.955e-6);
     }
 
+    SECTION("the haematocrit counts the nominal volume")
+    {
+        dictionary dict(cellDict());
+        dict.set("nominalVolume", 94e-18);
+        PtrList<clumpType> cells(2);
+        cells.set(0, new clumpType("healthy", dict));
+        dict.set("motion", word("fixed"));
+        cells.set(1, new clumpType("post", dict));
+
+        const placement packed
+        (
+            dictOf
+            (
+                "type random; clumpType healthy; haematocrit 0.1;"
+                "min (0 0 0); max (3e-5 3e-5 3e-5); periodic (1 0 1); seed 3;"
+            ),
+            cells, ids
+        );
+        CHECK(packed.clumps().size() == 29);
+
+        // The volume fraction is that of the unions; a fixed clump is no cell
+        const Pair<scalar> f
+        (
+            placement::fractions(cells, labelList({29, 5}), 2.7e-14)
+        );
+        CHECK(f.first() == Approx(29*94e-18/2.7e-14));
+        CHECK(f.second() == Approx(29*140.6e-18/2.7e-14).epsilon(1e-3));
+
+        // Without it the union's
+        CHECK(types[0].nominalVolume() == types[0].volume());
+        dict.set("nominalVolume", -94e-18);
+        CHECK_THROWS(clumpType("healthy", dict));
+    }
+
     SECTION("lattice")
     {
         const placement lattice

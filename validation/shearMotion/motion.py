@@ -27,7 +27,7 @@ def number(name):
 
 
 case, step = sys.argv[1], float(sys.argv[2])
-radius = 1.955e-6
+radius = 1.4756e-6       # of the healthy cell's spheres
 turned, last = 0, None
 print("t_s,L1_m,L2_m,L3_m,inclination_deg,turned_rad,normal_x,normal_y,normal_z")
 for name in sorted(glob.glob(f"{case}/VTK/clumps/spheres_*.vtp"), key=number):

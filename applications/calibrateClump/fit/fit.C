@@ -4,7 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fit.H"
-#include <unsupported/Eigen/NonLinearOptimization>
+#include "boundedLeastSquares.H"
+#include "SortableList.H"
+#include <utility>
+#include <vector>
 
 Foam::fit::fit
 (
@@ -41,17 +44,10 @@ Foam::dictionary Foam::fit::type
 }
 
 
-int Foam::fit::values() const
-{
-    // The solver wants as many values as parameters at least
-    return max(nVariants()*data_.points().size(), parameters_.size());
-}
-
-
 Eigen::VectorXd Foam::fit::residuals(const Eigen::VectorXd& y) const
 {
     const label n = data_.points().size();
-    Eigen::VectorXd z(Eigen::VectorXd::Zero(values()));
+    Eigen::VectorXd z(nVariants()*n);
 
     for (label v = 0; v < nVariants(); ++v)
     {
@@ -75,61 +71,101 @@ Eigen::VectorXd Foam::fit::residuals(const Eigen::VectorXd& y) const
 }
 
 
-int Foam::fit::operator()(const Eigen::VectorXd& y, Eigen::VectorXd& f) const
+Eigen::VectorXd Foam::fit::values(const Eigen::VectorXd& y) const
 {
-    f = residuals(y);
+    Eigen::VectorXd f(residuals(y));
     for (int k = 0; k < f.size(); ++k)
     {
         f[k] = Foam::sign(f[k])*Foam::pow(mag(f[k]), 0.5*norm_);
     }
-    return 0;
+    return f;
 }
 
 
-int Foam::fit::df(const Eigen::VectorXd& y, Eigen::MatrixXd& J) const
+Foam::scalar Foam::fit::minimise(Eigen::VectorXd& y, const scalar norm)
 {
-    // Central differences: the equilibria are exact to 1e-10
-    const scalar h = 1e-4;
-    Eigen::VectorXd plus(values()), minus(values());
+    norm_ = norm;
+    const boundedLeastSquares solver
+    (
+        [this](const Eigen::VectorXd& x){ return values(x); }, 1e-6, 200
+    );
+    return solver.minimise(y);
+}
 
-    for (int i = 0; i < inputs(); ++i)
+
+Foam::List<Eigen::VectorXd> Foam::fit::starts(const label n)
+{
+    List<Eigen::VectorXd> result(n);
+    result[0] = parameters_.start(type_);
+
+    norm_ = 2;
+    SortableList<scalar> sums(10*(n - 1));
+    forAll(sums, k)
     {
-        Eigen::VectorXd moved(y);
-        moved[i] = y[i] + h;
-        operator()(moved, plus);
-        moved[i] = y[i] - h;
-        operator()(moved, minus);
-        J.col(i) = (plus - minus)/(2*h);
+        sums[k] = values(parameters_.point(k + 1)).squaredNorm();
     }
-    return 0;
-}
-
-
-void Foam::fit::minimise(Eigen::VectorXd& y) const
-{
-    fit problem(*this);
-    Eigen::LevenbergMarquardt<fit> solver(problem);
-    solver.parameters.maxfev = 200;
-    solver.parameters.ftol = 1e-8;
-    solver.parameters.xtol = 1e-8;
-    solver.minimize(y);
-    nCalls_ = problem.nCalls_;
-}
-
-
-Eigen::VectorXd Foam::fit::run(const scalar norm)
-{
-    Eigen::VectorXd y(parameters_.start(type_));
-    if (parameters_.size())
+    sums.sort();
+    for (label s = 1; s < n; ++s)
     {
-        for (norm_ = 2; norm_ < norm; norm_ *= 2)
+        result[s] = parameters_.point(sums.indices()[s - 1] + 1);
+    }
+    return result;
+}
+
+
+Eigen::VectorXd Foam::fit::run(const scalar norm, const label nStarts)
+{
+    if (!parameters_.size())
+    {
+        return Eigen::VectorXd();
+    }
+
+    Eigen::VectorXd best;
+    scalar lowest = GREAT;
+    std::vector<std::pair<Eigen::VectorXd, scalar>> seen;
+
+    Info<< nl << "start" << tab << "RMS" << tab << "largest |z|" << nl;
+    const List<Eigen::VectorXd> all(starts(nStarts));
+    forAll(all, s)
+    {
+        Eigen::VectorXd y(all[s]);
+        scalar sum = minimise(y, 2);
+        bool met = false;
+        for (const auto& other : seen)
         {
-            minimise(y);
+            met =
+                met
+             || (
+                    (y - other.first).lpNorm<Eigen::Infinity>() < 0.1
+                 && mag(sum - other.second) < 1e-3*sum
+                );
         }
-        norm_ = norm;
-        minimise(y);
+        if (met)
+        {
+            Info<< s << tab << "meets one before" << nl;
+            continue;
+        }
+        seen.push_back(std::make_pair(y, sum));
+
+        for (scalar p = 4; p < norm; p *= 2)
+        {
+            minimise(y, p);
+        }
+        if (norm > 2)
+        {
+            sum = minimise(y, norm);
+        }
+        if (sum < lowest)
+        {
+            lowest = sum;
+            best = y;
+        }
+
+        const Eigen::VectorXd z(residuals(y));
+        Info<< s << tab << z.norm()/Foam::sqrt(scalar(z.size())) << tab
+            << z.cwiseAbs().maxCoeff() << endl;
     }
-    return y;
+    return best;
 }
 
 
@@ -139,8 +175,13 @@ Foam::scalarField Foam::fit::uncertainties(const Eigen::VectorXd& y)
     if (result.size())
     {
         norm_ = 2;
-        Eigen::MatrixXd J(values(), inputs());
-        df(y, J);
+        Eigen::MatrixXd J
+        (
+            boundedLeastSquares
+            (
+                [this](const Eigen::VectorXd& x){ return values(x); }, 0, 0
+            ).jacobian(y)
+        );
 
         // By the values, relative; one at its bound is held there
         scalarField scale(result.size());

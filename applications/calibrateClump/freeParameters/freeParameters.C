@@ -98,10 +98,35 @@ Eigen::VectorXd Foam::freeParameters::start(const dictionary& type) const
             p.log
           ? Foam::log(v/p.min)/Foam::log(p.max/p.min)
           : (v - p.min)/(p.max - p.min);
+        y[i] = Foam::min(Foam::max(f, scalar(0)), scalar(1));
+    }
+    return y;
+}
 
-        // A start at a bound could never leave it
-        const scalar inside = Foam::min(Foam::max(f, 0.01), 0.99);
-        y[i] = Foam::log(inside/(1 - inside));
+
+Eigen::VectorXd Foam::freeParameters::point(const label k) const
+{
+    Eigen::VectorXd y(size());
+    label base = 1;
+
+    forAll(list_, i)
+    {
+        // The next prime
+        for (label factor = 0; factor != base; )
+        {
+            ++base;
+            for (factor = 2; base % factor; ++factor)
+            {}
+        }
+
+        // The digits of k mirrored at the point
+        y[i] = 0;
+        scalar digit = 1;
+        for (label rest = k; rest; rest /= base)
+        {
+            digit /= base;
+            y[i] += digit*(rest % base);
+        }
     }
     return y;
 }
@@ -110,11 +135,11 @@ Eigen::VectorXd Foam::freeParameters::start(const dictionary& type) const
 Foam::scalar Foam::freeParameters::value(const label i, const scalar y) const
 {
     const parameter& p = list_[i];
-    const scalar f = 1/(1 + Foam::exp(-y));
     return
-        p.log
-      ? p.min*Foam::pow(p.max/p.min, f)
-      : p.min + (p.max - p.min)*f;
+        y <= 0 ? p.min
+      : y >= 1 ? p.max
+      : p.log ? p.min*Foam::pow(p.max/p.min, y)
+      : p.min + (p.max - p.min)*y;
 }
 
 
@@ -125,10 +150,7 @@ Foam::scalar Foam::freeParameters::derivative
 ) const
 {
     const parameter& p = list_[i];
-    const scalar f = 1/(1 + Foam::exp(-y));
-    return
-        f*(1 - f)
-       *(p.log ? value(i, y)*Foam::log(p.max/p.min) : p.max - p.min);
+    return p.log ? value(i, y)*Foam::log(p.max/p.min) : p.max - p.min;
 }
 
 

@@ -104,6 +104,15 @@ TEST_CASE("bond models: moduli and rigidities say the same", "[bonds][serial]")
 TEST_CASE("bond models: shear of a beam in series with its bending", "[bonds][serial]")
 {
     const scalar l = 0.4;
-    const auto k(modelOf("type timoshenko;")->stiffness(l, 0.1));
+    const string text = GENERATE
+    (
+        "type timoshenko;",
+        "type strainStiffening; stiffening 1.5; residualBending yes;"
+    );
+    const auto k(modelOf(text)->stiffness(l, 0.1));
     CHECK(1/k.tangential == Approx(l/0.5 + pow3(l)/(12*3)));
+    CHECK(k.bending == Approx(3/l));
+
+    const auto plain(modelOf("type strainStiffening; stiffening 1.5;"));
+    CHECK(plain->stiffness(l, 0.1).tangential == Approx(0.5/l));
 }

@@ -6,6 +6,7 @@
 #include "catch2/catch.hpp"
 #include "testCase.H"
 #include "sphereUnion.H"
+#include "ring.H"
 #include "mathematicalConstants.H"
 
 using namespace Foam;
@@ -126,6 +127,21 @@ TEST_CASE("type: full spheres weigh more than their union", "[type][serial]")
 }
 
 
+TEST_CASE("type: spheres too small for a union", "[type][serial]")
+{
+    dictionary dict(cellDict());
+    dict.set("massModel", word("fullSpheres"));
+    dict.set
+    (
+        "shape",
+        dictOf("type ring; nSpheres 10; ringRadius 1; sphereRadius 1e-6;")
+    );
+    const clumpType type("cell", dict);
+    CHECK(type.mass() > 0);
+    CHECK(type.nominalVolume() == type.volume());
+}
+
+
 TEST_CASE("type: what is wrong is told", "[type][serial]")
 {
     dictionary dict(cellDict());
@@ -194,5 +210,97 @@ TEST_CASE("shapes: ring, chain, disc, shell", "[type][serial]")
     (
         shapeOf("type shell; nSpheres 42; shellRadius 1; sphereRadius 0.5;")
             ->bonds().size() == 120
+    );
+}
+
+
+TEST_CASE("ring: the volume of its union", "[ring][type][serial]")
+{
+    // Apart, overlapping, through the axis, and nearly one sphere
+    for (const label n : {3, 8, 10, 16})
+    {
+        for (const scalar r : {0.15, 0.8, 1.0, 1.001, 2.5, 50.0})
+        {
+            pointField centres(n);
+            forAll(centres, i)
+            {
+                const scalar angle = 2*pi*i/n;
+                centres[i] = point(Foam::cos(angle), Foam::sin(angle), 0);
+            }
+            CHECK
+            (
+                clumpShapes::ring::volume(n, 1, r)
+             == Approx(sphereUnion::volume(centres, scalarField(n, r)))
+                .epsilon(5e-4)
+            );
+        }
+    }
+
+    // Through r = R without a step
+    CHECK
+    (
+        clumpShapes::ring::volume(10, 1, 1 + 1e-9)
+     == Approx(clumpShapes::ring::volume(10, 1, 1)).epsilon(1e-7)
+    );
+}
+
+
+TEST_CASE("ring: a given volume for any N", "[ring][type][serial]")
+{
+    const auto ringOf = [](const label n, const string& size)
+    {
+        dictionary dict(cellDict());
+        dict.set
+        (
+            "shape",
+            dictOf("type ring; nSpheres " + Foam::name(n) + "; " + size)
+        );
+        return clumpType("cell", dict);
+    };
+
+    for (const label n : {3, 8, 10, 16, 40})
+    {
+        const clumpType type(ringOf(n, "diameter 7.82e-6; volume 94e-18;"));
+        CHECK(type.volume() == Approx(94e-18).epsilon(1e-3));
+        CHECK(type.reach() == Approx(3.91e-6).epsilon(1e-9));
+    }
+
+    // Fat rings: the spheres pass the axis
+    CHECK
+    (
+        ringOf(10, "diameter 7.82e-6; volume 200e-18;").volume()
+     == Approx(200e-18).epsilon(1e-3)
+    );
+
+    const clumpType type(ringOf(10, "ringRadius 2.4e-6; volume 94e-18;"));
+    CHECK(type.volume() == Approx(94e-18).epsilon(1e-3));
+    CHECK(max(mag(type.centres())) == Approx(2.4e-6).epsilon(1e-9));
+
+    // The radius from the volume of a radius
+    const scalar V = clumpShapes::ring::volume(10, 1.955e-6, 1.955e-6);
+    CHECK
+    (
+        ringOf(10, "diameter 7.82e-6; volume " + Foam::name(V) + ";").radii()[0]
+     == Approx(1.955e-6).epsilon(1e-5)
+    );
+
+    // More than the sphere about it, two sizes, nothing
+    CHECK_THROWS(ringOf(10, "diameter 7.82e-6; volume 251e-18;"));
+    CHECK_THROWS
+    (
+        ringOf(10, "diameter 7.82e-6; volume 94e-18; sphereRadius 1e-6;")
+    );
+    CHECK_THROWS(ringOf(10, "diameter 7.82e-6; volume -94e-18;"));
+    CHECK_THROWS(ringOf(10, "diameter 7.82e-6;"));
+    CHECK_THROWS
+    (
+        clumpShapes::shape::New
+        (
+            dictOf
+            (
+                "type disc; nSpheres 10; ringRadius 2.6; volume 94;"
+                "centreRadius 1;"
+            )
+        )
     );
 }

@@ -30,14 +30,14 @@ scalar energyOf(const clumpType& type, const clumpState& s)
 clumpType cell(const string& damping)
 {
     line l;
-    l.EA = 75.4e-12;
-    l.GA = 26.9e-12;
-    l.EI = 13.2e-24;
+    l.EA = 91.4e-12;
+    l.GA = 68.3e-12;    // in series with the bending of a bond
+    l.EI = 12.9e-24;
     l.GJ = 10e-24;
-    l.radius = 1.775e-6;
+    l.radius = 1.4756e-6;
     l.density = 1098;
     l.damping = damping;
-    return ringOf(10, 2.135e-6, l);
+    return ringOf(10, 2.4344e-6, l);
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "strainStiffening.H"
+#include "timoshenko.H"
 
 namespace Foam
 {
@@ -17,9 +18,21 @@ namespace bondModels
 
 Foam::bondModels::strainStiffening::strainStiffening(const dictionary& dict)
 :
-    bondModel(dict, {"stiffening"}),
-    b_(getNonNegative(dict, "stiffening"))
+    bondModel(dict, {"stiffening", "residualBending"}),
+    b_(getNonNegative(dict, "stiffening")),
+    residualBending_(dict.getOrDefault<bool>("residualBending", false))
 {}
+
+
+Foam::bondCoefficients Foam::bondModels::strainStiffening::stiffness
+(
+    const scalar length,
+    const scalar radius
+) const
+{
+    const bondCoefficients k(bondModel::stiffness(length, radius));
+    return residualBending_ ? timoshenko::inSeries(k, length) : k;
+}
 
 
 Foam::scalar Foam::bondModels::strainStiffening::force

@@ -21,9 +21,16 @@ Foam::bondCoefficients Foam::bondModels::timoshenko::stiffness
     const scalar radius
 ) const
 {
-    bondCoefficients k(bondModel::stiffness(length, radius));
+    return inSeries(bondModel::stiffness(length, radius), length);
+}
 
-    // In series
+
+Foam::bondCoefficients Foam::bondModels::timoshenko::inSeries
+(
+    bondCoefficients k,
+    const scalar length
+)
+{
     const scalar bending = 12*k.bending/sqr(length);
     k.tangential *= bending/max(k.tangential + bending, VSMALL);
     return k;

@@ -153,6 +153,16 @@ void Foam::deformableCloud::advance(const scalar dt)
     const bool touching = effects_.active("contact");
     const label nSub = touching ? contactSubSteps(steady, dt) : 1;
     const scalar h = dt/nSub;
+    List<Pair<vectorField>> before(n);
+    if (nSub > 1 && coupled())
+    {
+        index = 0;
+        for (const clumpParcel& parcel : *this)
+        {
+            before[index++] =
+                Pair<vectorField>(parcel.state().u, parcel.state().w);
+        }
+    }
 
     for (label sub = 0; sub < nSub; ++sub)
     {
@@ -180,6 +190,10 @@ void Foam::deformableCloud::advance(const scalar dt)
             if (!type(parcel).fixed())
             {
                 const clumpState start(parcel.state());
+                if (before[index].first().size())
+                {
+                    moveInterior(parcel, before[index], h, dt, ext[index]);
+                }
                 integrator_->advance
                 (
                     type(parcel), ext[index], h, parcel.state()
@@ -209,6 +223,49 @@ void Foam::deformableCloud::advance(const scalar dt)
         }
         ++index;
     }
+}
+
+
+void Foam::deformableCloud::moveInterior
+(
+    const clumpParcel& parcel,
+    const Pair<vectorField>& before,
+    const scalar h,
+    const scalar dt,
+    integrator::externals& ext
+) const
+{
+    const clumpState& s = parcel.state();
+    scalarField zeta(ext.zeta), zetaR(ext.zetaR);
+    exchangeModel_->coefficients
+    (
+        type(parcel), s.exchange*mu_, rho_, h, zeta, zetaR
+    );
+
+    const auto move = [&]
+    (
+        const scalarField& z,       // of the sub-step
+        const vectorField& u,
+        const vectorField& u0,      // at the start of the step
+        scalarField& zeta,
+        vectorField& imposed,
+        vectorField& f
+    )
+    {
+        forAll(z, i)
+        {
+            if (z[i] <= 0)
+            {
+                continue;
+            }
+            const scalar m = (z[i] - zeta[i])/(1/h - 1/dt);
+            f[i] += m/dt*(imposed[i] - u0[i]);
+            imposed[i] = ((zeta[i] - m/dt)*imposed[i] + m/h*u[i])/z[i];
+            zeta[i] = z[i];
+        }
+    };
+    move(zeta, s.u, before.first(), ext.zeta, ext.u0, ext.f);
+    move(zetaR, s.w, before.second(), ext.zetaR, ext.w0, ext.t);
 }
 
 

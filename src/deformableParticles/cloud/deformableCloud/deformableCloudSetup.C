@@ -143,6 +143,7 @@ Foam::deformableCloud::deformableCloud
     {
         place();
     }
+    reportFractions();
 
     ghosts_.update(*this);
     if (placed)
@@ -223,6 +224,26 @@ bool Foam::deformableCloud::inMesh(const point& p) const
          || (ghosts_.localBox().contains(image) && mesh_.findCell(image) >= 0);
     }
     return returnReduce(found, orOp<bool>());
+}
+
+
+void Foam::deformableCloud::reportFractions() const
+{
+    labelList numbers(types_.size(), 0);
+    for (const clumpParcel& p : *this)
+    {
+        ++numbers[p.typeId()];
+    }
+    Pstream::listCombineGather(numbers, plusEqOp<label>());
+    Pstream::listCombineScatter(numbers);
+
+    const Pair<scalar> fractions
+    (
+        placement::fractions(types_, numbers, gSum(mesh_.V()))
+    );
+    Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
+        << ", volume fraction of the spheres' unions "
+        << Foam::name(fractions.second()).c_str() << endl;
 }
 
 

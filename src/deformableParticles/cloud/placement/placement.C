@@ -182,7 +182,8 @@ void Foam::placement::packRandomly(const dictionary& dict)
     const scalar haematocrit = getBetween(dict, "haematocrit", 0, 1);
     Random random(dict.get<label>("seed"));
 
-    const scalar number = std::round(haematocrit*box.volume()/type.volume());
+    const scalar number =
+        std::round(haematocrit*box.volume()/type.nominalVolume());
     checkNumber(dict, "haematocrit", number);
     const label wanted(number);
     const vector span(box.span());
@@ -287,4 +288,24 @@ void Foam::placement::packRandomly(const dictionary& dict)
                 << " of " << wanted << " clumps found room" << exit(FatalIOError);
         }
     }
+}
+
+
+Foam::Pair<Foam::scalar> Foam::placement::fractions
+(
+    const PtrList<clumpType>& types,
+    const labelUList& numbers,
+    const scalar volume
+)
+{
+    Pair<scalar> result(0, 0);
+    forAll(types, i)
+    {
+        if (!types[i].fixed())
+        {
+            result.first() += numbers[i]*types[i].nominalVolume()/volume;
+            result.second() += numbers[i]*types[i].volume()/volume;
+        }
+    }
+    return result;
 }

@@ -18,8 +18,9 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     (
         dict,
         {
-            "shape", "density", "massModel", "motion", "bondModel",
-            "dampingModel", "conservationModel", "conservationModels"
+            "shape", "density", "massModel", "motion", "nominalVolume",
+            "bondModel", "dampingModel", "conservationModel",
+            "conservationModels"
         }
     );
 
@@ -39,6 +40,11 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     fixed_ = motion == "fixed";
 
     setMasses(dict);
+
+    // That of spheres far too small may be zero, with massModel fullSpheres
+    nominalVolume_ =
+        dict.found("nominalVolume")
+      ? getPositive(dict, "nominalVolume") : volume_;
 
     reach_ = max(mag(centres_) + radii_);
 

@@ -54,11 +54,11 @@ Foam::scalar Foam::integrators::velocityVerlet::stableStep
         }
     }
 
-    if (type.conservation().active())
+    for (const conservationModel& model : type.conservation())
     {
         vectorField grad(n);
-        type.conservation().deviation(x, grad);
-        K += type.conservation().stiffness()*sum(mag(grad))*mag(grad);
+        model.deviation(x, grad);
+        K += model.stiffness()*sum(mag(grad))*mag(grad);
     }
 
     scalar result = GREAT;

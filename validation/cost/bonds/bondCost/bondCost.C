@@ -39,10 +39,10 @@ clumpType cell(const string& damping)
             IStringStream
             (
                 "shape { type ring; nSpheres 10; diameter 7.82e-6;"
-                " sphereRadius 1.775e-6; }"
+                " volume 94e-18; }"
                 "density 1098; massModel union; motion free;"
-                "bondModel { type elastic; rigidities { normal 75.4e-12;"
-                " tangential 26.9e-12; bending 13.2e-24; torsional 10e-24; } }"
+                "bondModel { type elastic; rigidities { normal 91.4e-12;"
+                " tangential 68.3e-12; bending 12.9e-24; torsional 10e-24; } }"
                 "dampingModel { " + damping + " }"
             )()
         )

@@ -25,12 +25,12 @@ Foam::clumpShapes::ring::ring
     checkEntries
     (
         dict,
-        {"type", "nSpheres", "ringRadius", "diameter", "sphereRadius"},
+        {"type", "nSpheres", "ringRadius", "diameter", "sphereRadius", "volume"},
         derived
     );
 
     const label n = getNumber(dict, "nSpheres", 3, maxSpheres);
-    const scalar r = getPositive(dict, "sphereRadius");
+    const scalar r = sphereRadius(dict, n, derived.size());
     const scalar R = radius(dict, r);
 
     centres_.setSize(n);
@@ -65,4 +65,93 @@ Foam::scalar Foam::clumpShapes::ring::radius
     return
         0.5*getBetween(dict, "diameter", 2*sphereRadius, largestEntry)
       - sphereRadius;
+}
+
+
+Foam::scalar Foam::clumpShapes::ring::volume
+(
+    const label n,
+    const scalar R,
+    const scalar r
+)
+{
+    using constant::mathematical::pi;
+    const scalar half = pi/n;
+
+    if (r <= R)
+    {
+        const scalar h = max(r - R*Foam::sin(half), scalar(0));
+        return n*pi*(4*pow3(r) - 2*sqr(h)*(3*r - h))/3;
+    }
+
+    // int_{-c}^{a} 2 sqrt(a^2 - u^2) (u + c) du with u = rho - c, in [0, half]
+    const auto slice = [&](const scalar phi)
+    {
+        const scalar c = R*Foam::cos(phi);
+        const scalar a = Foam::sqrt(sqr(r) - sqr(R*Foam::sin(phi)));
+        const scalar b = Foam::sqrt(sqr(a) - sqr(c));
+        return
+            2.0/3.0*pow3(b)
+          + c*(sqr(a)*(0.5*pi + Foam::asin(c/a)) + c*b);
+    };
+
+    const label nIntervals = 64;
+    const scalar step = half/nIntervals;
+    scalar sum = slice(0) + slice(half);
+    for (label k = 1; k < nIntervals; ++k)
+    {
+        sum += (k % 2 ? 4 : 2)*slice(k*step);
+    }
+    return 2*n*sum*step/3;
+}
+
+
+Foam::scalar Foam::clumpShapes::ring::sphereRadius
+(
+    const dictionary& dict,
+    const label n,
+    const bool disc
+)
+{
+    using constant::mathematical::pi;
+
+    if (!dict.found("volume"))
+    {
+        return getPositive(dict, "sphereRadius");
+    }
+    if (disc)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'volume': only a ring has it, give sphereRadius"
+            << exit(FatalIOError);
+    }
+    if (dict.found("sphereRadius"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give either sphereRadius or volume" << exit(FatalIOError);
+    }
+
+    const scalar V = getPositive(dict, "volume");
+
+    // Of one sphere with that volume, the largest there can be
+    scalar high = Foam::cbrt(0.75*V/pi);
+    if (dict.found("diameter"))
+    {
+        const scalar largest = 0.5*getPositive(dict, "diameter");
+        if (high >= largest)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'volume' is " << V << ", it must be below "
+                << 4*pi/3*pow3(largest) << ", that of a sphere with the "
+                << "ring's diameter" << exit(FatalIOError);
+        }
+    }
+
+    scalar low = 0;
+    for (label k = 0; k < 100 && high - low > 1e-15*high; ++k)
+    {
+        const scalar r = 0.5*(low + high);
+        (volume(n, radius(dict, r), r) < V ? low : high) = r;
+    }
+    return 0.5*(low + high);
 }

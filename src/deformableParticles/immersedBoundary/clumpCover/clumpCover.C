@@ -108,7 +108,8 @@ void Foam::clumpCover::find
             );
         }
 
-        if (fraction > SMALL || conductance > 0 || d <= 0)
+        const bool solid = usesDistance && d <= 0;
+        if (fraction > SMALL || conductance > 0 || solid)
         {
             if (smallest < 0.999*dx)
             {

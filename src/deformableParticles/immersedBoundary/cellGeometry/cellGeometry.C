@@ -107,8 +107,7 @@ Foam::scalar Foam::cellGeometry::wallConductance
     constexpr scalar closest = 0.02;
 
     const point& x = mesh_.cellCentres()[celli];
-    const scalar here = velocity(a);
-    scalar result = 0;
+    scalar here = 0, result = 0;
 
     for (const label facei : mesh_.cells()[celli])
     {
@@ -138,6 +137,7 @@ Foam::scalar Foam::cellGeometry::wallConductance
         const scalar b = distance(x + line);
         if (b < 0)
         {
+            here = here > 0 ? here : velocity(a);
             const scalar across = velocity(b);
             const scalar t = max(here/(here - across), closest);
             result +=

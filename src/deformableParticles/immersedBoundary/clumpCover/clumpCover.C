@@ -49,7 +49,7 @@ void Foam::clumpCover::find
 
     const fvMesh& mesh = geometry.mesh();
     const scalarField& radii = type.radii();
-    const scalar smallest = min(radii);
+    const scalar smallest = min(radii), largest = max(radii);
     const bool usesDistance = forcing.usesDistance();
     const scalar nReaches = usesDistance ? 2 : 1;
     DynamicList<point> nearCentres;
@@ -98,7 +98,10 @@ void Foam::clumpCover::find
         scalar conductance = 0;
         if (usesDistance && d > 0)
         {
-            const scalar r = nearestRadius(x, image.x, radii);
+            const scalar r =
+                smallest < largest
+              ? nearestRadius(x, image.x, radii)
+              : smallest;
             conductance = geometry.wallConductance
             (
                 celli,

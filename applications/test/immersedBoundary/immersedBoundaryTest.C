@@ -388,6 +388,42 @@ TEST_CASE("boundary: shear flow along a plane, sharp forcing", "[boundary][seria
 }
 
 
+TEST_CASE("boundary: solid cells beside the fluid are held hard, sharp forcing", "[boundary][serial]")
+{
+    const fvMesh& mesh = testMesh();
+    const scalar dx = Foam::cbrt(mesh.V()[0]);
+    const scalar r = GENERATE(2, 4)*dx;
+    const point x
+    (
+        average(mesh.C().primitiveField()) + dx*vector(0.3, 0.1, 0.45)
+    );
+    const sharpSphere s(x, r, "");
+    const auto distance = [&](const label celli)
+    {
+        return mag(mesh.C()[celli] - x) - r;
+    };
+
+    scalar least = GREAT;
+    forAll(s.strength(), celli)
+    {
+        const scalar d = distance(celli);
+        if (d < 0 && d > -dx/Foam::sqrt(3.0))
+        {
+            bool beside = false;
+            for (const label other : mesh.cellCells()[celli])
+            {
+                beside = beside || distance(other) > 0;
+            }
+            CHECK(beside);
+            least = min(least, s.strength()[celli]);
+        }
+    }
+
+    // Shift of the wall, nu/(S dx): a 600th of dx^2/r
+    CHECK(s.nu/(least*dx) == Approx(sqr(dx)/(600*r)).epsilon(1e-6));
+}
+
+
 TEST_CASE("boundary: curvature of the velocity next to a sphere", "[boundary][serial]")
 {
     // Rotation, translation and strain of a sphere in Stokes flow, relative to the

@@ -32,7 +32,7 @@ Foam::scalar Foam::forcingModels::sharp::strength(const cell& c) const
     }
 
     const scalar cells = c.radius/c.dx;
-    const bool atSurface = c.distance > -c.dx;
+    const bool atSurface = c.distance > -c.dx/Foam::sqrt(3.0);
 
     return max
     (

@@ -6,6 +6,35 @@
 #include "clumpCover.H"
 #include "sphereUnion.H"
 
+namespace Foam
+{
+
+// Radius of the sphere with the nearest surface
+static scalar nearestRadius
+(
+    const point& y,
+    const UList<point>& x,
+    const UList<scalar>& radii
+)
+{
+    label nearest = 0;
+    for (label i = 1; i < radii.size(); ++i)
+    {
+        if
+        (
+            mag(y - x[i]) - radii[i]
+          < mag(y - x[nearest]) - radii[nearest]
+        )
+        {
+            nearest = i;
+        }
+    }
+    return radii[nearest];
+}
+
+}
+
+
 void Foam::clumpCover::find
 (
     const cellGeometry& geometry,
@@ -20,12 +49,15 @@ void Foam::clumpCover::find
 
     const fvMesh& mesh = geometry.mesh();
     const scalarField& radii = type.radii();
-    const scalar smallest = min(radii);
+    const scalar smallest = min(radii), largest = max(radii);
     const bool usesDistance = forcing.usesDistance();
     const scalar nReaches = usesDistance ? 2 : 1;
     DynamicList<point> nearCentres;
     DynamicList<scalar> nearRadii;
-    scalarField seenRadii(radii);
+    const auto surface = [&](const point& y)
+    {
+        return sphereUnion::distance(y, image.x, radii);
+    };
 
     for (const label celli : geometry.find(image.box, nReaches))
     {
@@ -35,7 +67,7 @@ void Foam::clumpCover::find
         {
             continue;
         }
-        const scalar d = sphereUnion::distance(x, image.x, radii);
+        const scalar d = surface(x);
 
         if (d > nReaches*reach)
         {
@@ -63,26 +95,24 @@ void Foam::clumpCover::find
         }
 
         const scalar dx = geometry.width(celli);
-        scalar seen = GREAT, conductance = 0;
-        if (usesDistance)
+        scalar conductance = 0;
+        if (usesDistance && d > 0)
         {
-            forAll(radii, i)
-            {
-                seenRadii[i] =
-                    radii[i] + forcing.displacement(dx, radii[i]);
-            }
-            const auto surface = [&](const point& y)
-            {
-                return sphereUnion::distance(y, image.x, seenRadii);
-            };
-            seen = surface(x);
-            if (seen > 0)
-            {
-                conductance = geometry.wallConductance(celli, seen, surface);
-            }
+            const scalar r =
+                smallest < largest
+              ? nearestRadius(x, image.x, radii)
+              : smallest;
+            conductance = geometry.wallConductance
+            (
+                celli,
+                d,
+                surface,
+                [&](const scalar y) { return forcing.velocity(y, r); }
+            );
         }
 
-        if (fraction > SMALL || conductance > 0 || seen < 0)
+        const bool solid = usesDistance && d <= 0;
+        if (fraction > SMALL || conductance > 0 || solid)
         {
             if (smallest < 0.999*dx)
             {
@@ -95,7 +125,7 @@ void Foam::clumpCover::find
             }
             cells.append(celli);
             lambda.append(fraction);
-            distance.append(seen);
+            distance.append(d);
             wallConductance.append(conductance);
         }
     }

@@ -99,15 +99,14 @@ Foam::scalar Foam::cellGeometry::wallConductance
 (
     const label celli,
     const scalar a,
-    const std::function<scalar(const point&)>& distance,
-    const std::function<scalar(scalar)>& velocity
+    const std::function<scalar(const point&)>& distance
 ) const
 {
     // Closer than this part of the line the wall is as good as in the centre
     constexpr scalar closest = 0.02;
 
     const point& x = mesh_.cellCentres()[celli];
-    scalar here = 0, result = 0;
+    scalar result = 0;
 
     for (const label facei : mesh_.cells()[celli])
     {
@@ -137,9 +136,7 @@ Foam::scalar Foam::cellGeometry::wallConductance
         const scalar b = distance(x + line);
         if (b < 0)
         {
-            here = here > 0 ? here : velocity(a);
-            const scalar across = velocity(b);
-            const scalar t = max(here/(here - across), closest);
+            const scalar t = max(a/(a - b), closest);
             result +=
                 mag(mesh_.faceAreas()[facei])*coefficient/mesh_.V()[celli]
                *(1/t - 1);

@@ -6,35 +6,6 @@
 #include "clumpCover.H"
 #include "sphereUnion.H"
 
-namespace Foam
-{
-
-// Radius of the sphere with the nearest surface
-static scalar nearestRadius
-(
-    const point& y,
-    const UList<point>& x,
-    const UList<scalar>& radii
-)
-{
-    label nearest = 0;
-    for (label i = 1; i < radii.size(); ++i)
-    {
-        if
-        (
-            mag(y - x[i]) - radii[i]
-          < mag(y - x[nearest]) - radii[nearest]
-        )
-        {
-            nearest = i;
-        }
-    }
-    return radii[nearest];
-}
-
-}
-
-
 void Foam::clumpCover::find
 (
     const cellGeometry& geometry,
@@ -49,15 +20,12 @@ void Foam::clumpCover::find
 
     const fvMesh& mesh = geometry.mesh();
     const scalarField& radii = type.radii();
-    const scalar smallest = min(radii), largest = max(radii);
+    const scalar smallest = min(radii);
     const bool usesDistance = forcing.usesDistance();
     const scalar nReaches = usesDistance ? 2 : 1;
     DynamicList<point> nearCentres;
     DynamicList<scalar> nearRadii;
-    const auto surface = [&](const point& y)
-    {
-        return sphereUnion::distance(y, image.x, radii);
-    };
+    scalarField seenRadii(radii);
 
     for (const label celli : geometry.find(image.box, nReaches))
     {
@@ -67,7 +35,7 @@ void Foam::clumpCover::find
         {
             continue;
         }
-        const scalar d = surface(x);
+        const scalar d = sphereUnion::distance(x, image.x, radii);
 
         if (d > nReaches*reach)
         {
@@ -95,24 +63,26 @@ void Foam::clumpCover::find
         }
 
         const scalar dx = geometry.width(celli);
-        scalar conductance = 0;
-        if (usesDistance && d > 0)
+        scalar seen = GREAT, conductance = 0;
+        if (usesDistance)
         {
-            const scalar r =
-                smallest < largest
-              ? nearestRadius(x, image.x, radii)
-              : smallest;
-            conductance = geometry.wallConductance
-            (
-                celli,
-                d,
-                surface,
-                [&](const scalar y) { return forcing.velocity(y, r); }
-            );
+            forAll(radii, i)
+            {
+                seenRadii[i] =
+                    radii[i] + forcing.displacement(dx, radii[i]);
+            }
+            const auto surface = [&](const point& y)
+            {
+                return sphereUnion::distance(y, image.x, seenRadii);
+            };
+            seen = surface(x);
+            if (seen > 0)
+            {
+                conductance = geometry.wallConductance(celli, seen, surface);
+            }
         }
 
-        const bool solid = usesDistance && d <= 0;
-        if (fraction > SMALL || conductance > 0 || solid)
+        if (fraction > SMALL || conductance > 0 || seen < 0)
         {
             if (smallest < 0.999*dx)
             {
@@ -125,7 +95,7 @@ void Foam::clumpCover::find
             }
             cells.append(celli);
             lambda.append(fraction);
-            distance.append(d);
+            distance.append(seen);
             wallConductance.append(conductance);
         }
     }

@@ -143,7 +143,7 @@ TEST_CASE("conservation: the volume of the union, folded or not", "[conservation
         dictOf("volumeModulus 1;"), type.centres(), type.radii()
     );
     const scalar V0 = 1/model.stiffness();
-    CHECK(V0/type.volume() == Approx(1).epsilon(0.008));
+    CHECK(V0/type.volume() == Approx(1).epsilon(0.02));
 
     // Flattened until the strands overlap, and turned
     const scalar part = GENERATE(0.9, 0.6, 0.35);
@@ -155,7 +155,14 @@ TEST_CASE("conservation: the volume of the union, folded or not", "[conservation
     }
     vectorField grad(x.size()), turnedGrad(x.size());
     const scalar V = V0 + model.deviation(x, grad);
-    CHECK(V/sphereUnion::volume(x, type.radii()) == Approx(1).epsilon(0.006));
+    CHECK
+    (
+        V/V0
+     == Approx
+        (
+            sphereUnion::volume(x, type.radii())/type.volume()
+        ).epsilon(0.01)
+    );
 
     const tensor R(rotation(vector(0.3, -1.1, 0.7)).R());
     const scalar turned = V0 + model.deviation(R & x, turnedGrad);
@@ -171,7 +178,7 @@ TEST_CASE("conservation: the volume of the union, folded or not", "[conservation
     CHECK(mag(sum(grad)) < 1e-13*sum(mag(grad)));
     CHECK(mag(torque) < 1e-8*sum(mag(grad))*type.reach());
 
-    // The slope along any displacement, to the error of the sum where a direction changes sides
+    // The slope along any displacement, to the rotation of the frame that the gradient leaves out
     Random random(3);
     vectorField step(x.size());
     for (vector& d : step)
@@ -183,7 +190,7 @@ TEST_CASE("conservation: the volume of the union, folded or not", "[conservation
         model.deviation(x + step, unused) - model.deviation(x - step, unused);
     const scalar largest =
         Foam::sqrt(sum(magSqr(grad))*sum(magSqr(step)));
-    CHECK(mag(0.5*slope - sum(grad & step)) < 0.06*largest);
+    CHECK(mag(0.5*slope - sum(grad & step)) < 0.05*largest);
 }
 
 

@@ -22,7 +22,7 @@ const pointField& directions()
     static const pointField result = []()
     {
         using constant::mathematical::pi;
-        pointField n(200);
+        pointField n(400);
         forAll(n, k)
         {
             const scalar z = 1 - (2*k + 1.0)/n.size();
@@ -191,45 +191,50 @@ Foam::scalar Foam::sphereUnion::volume
         forAll(x, j)
         {
             const vector dij(x[j] - x[i]);
-            if (j != i && magSqr(dij) < sqr(r + radii[j]))
+            const scalar d2 = magSqr(dij);
+            if (j != i && d2 < sqr(r + radii[j]) && d2 > sqr(1e-6*r))
             {
                 near.append(j);
                 d.append(T.T() & dij);
-                a.append(0.5*(magSqr(dij) + sqr(r) - sqr(radii[j])));
+                a.append(max(0.5*(d2 + sqr(r) - sqr(radii[j])), 1e-6*sqr(r)));
             }
         }
 
-        // Sums by the neighbours' planes, in the sphere's frame
-        vectorField byNormal(near.size(), Zero);
-        scalarField byDistance(near.size(), Zero);
+        // What the plane of a neighbour gives, along the directions and along d,
+        // in the sphere's frame
+        vectorField along(near.size(), Zero);
+        scalarField across(near.size(), Zero);
+        scalarField part(near.size());
 
         for (const vector& nk : n)
         {
-            scalar t = r;
-            label nearest = -1;
+            // y^16 of the nearest plane decides
+            scalar S = 0;
             forAll(near, k)
             {
-                const scalar dn = d[k] & nk;
-                if (a[k] < t*dn)
-                {
-                    t = max(a[k], scalar(0))/dn;
-                    nearest = k;
-                }
+                const scalar y = r*(d[k] & nk)/a[k];
+                part[k] = y > 0 ? sqr(sqr(y))*sqr(sqr(y)) : 0;
+                S += sqr(part[k]);
             }
-            sum += weight*pow3(t)/3;
+            const scalar t3 = pow3(r)*Foam::pow(1 + S, -3.0/16);
+            sum += weight*t3/3;
 
-            // dt = d.delta/(d.n) - a n.delta/(d.n)^2, delta = dx_j - dx_i
-            if (nearest >= 0)
+            // d(t^3/3) = -t^3/(1 + S) sum y^16 (n.delta/(d.n) - d.delta/a),
+            // delta = dx_j - dx_i
+            forAll(near, k)
             {
-                const scalar dn = d[nearest] & nk;
-                byDistance[nearest] += weight*sqr(t)/dn;
-                byNormal[nearest] += weight*sqr(t)*a[nearest]/sqr(dn)*nk;
+                if (part[k] > 0)
+                {
+                    const scalar w = weight*t3/(1 + S)*sqr(part[k]);
+                    along[k] += w/(d[k] & nk)*nk;
+                    across[k] += w/a[k];
+                }
             }
         }
 
         forAll(near, k)
         {
-            const vector g(T & (byDistance[k]*d[k] - byNormal[k]));
+            const vector g(T & (across[k]*d[k] - along[k]));
             grad[near[k]] += g;
             grad[i] -= g;
         }

@@ -34,7 +34,7 @@ results = Results()
 figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
 
 for ranks in "124":
-    balance = [float(row[-1]) for row in table(ranks, "momentumBalance")]
+    balance = [float(row[-5]) for row in table(ranks, "momentumBalance")]
     results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0, "1e-10",
                 "Newton: what the clumps gain the fluid loses")
     left.semilogy(range(1, len(balance) + 1), balance, label=f"third law, ranks: {ranks}")
@@ -60,6 +60,25 @@ for ranks in "24":
     assert len(serial) == len(other)
     results.add(f"force on {ranks} ranks against one", force, "", 0, "1e-6", "the same run in serial")
     results.add(f"position on {ranks} ranks against one", position, "", 0, "1e-6", "the same run in serial")
+
+# Momentum over the outer iterations: identities hold in every step, the rest goes to zero
+terms = read("balance.csv")
+for r in terms:
+    name = f"{r['domain']}, {r['ranks']:g} ranks, {r['passes']:g} outer iterations"
+    print(f"{name}: third law {r['thirdLaw']:.0e}, clumps {r['clumps']:.0e}, fluid {r['fluid']:.0e}, "
+          f"not received {r['exchange']:.0e}, total {r['total']:.0e}")
+    for column in "thirdLaw", "clumps":
+        results.add(f"{name}: {column}", r[column], "", 0, "1e-12", "an identity of every step")
+most = max(r["passes"] for r in terms)
+for r in terms:
+    if r["passes"] == most and r["ranks"] == 1:
+        first = next(q for q in terms if q["domain"] == r["domain"] and q["passes"] == 1)
+        if most == 16:
+            for column, limit in ("fluid", "1e-5"), ("exchange", "1e-5"):
+                results.add(f"{r['domain']}: {column} after {most:g} outer iterations", r[column], "", 0, limit,
+                            "zero when the step is iterated to convergence")
+        results.add(f"{r['domain']}: total after {most:g} outer iterations over that after one", r["total"]/first["total"],
+                    "", 0, "1e-2" if most == 16 else "0.3", "zero when the step is iterated to convergence")
 
 data = read("data.csv")
 finest = max(r["D_dx"] for r in data)

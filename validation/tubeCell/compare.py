@@ -6,7 +6,8 @@ import sys
 sys.path.append("../shared")
 from results import Results, mean, plt, read, save
 
-diameter, mean_velocity = 7.82e-6, 0.8e-3
+# Diameters of a ring of ten spheres at rest through the spheres and between them, volume
+diameter, smallest, volume, mean_velocity = 7.82e-6, 7.589e-6, 94e-18, 0.8e-3
 results = Results()
 runs = read("data.csv")
 ways = {r["run"]: read(f"data-{r['run']}.csv") for r in runs}
@@ -31,11 +32,17 @@ for r in runs:
               f"{r['seconds']:.0f} s")
     else:
         # The constriction ends at 48 um, the taper at 56
-        results.add(f"{r['run']}: diameters at the end, longer over shorter", way[-1]["L1_m"]/way[-1]["L2_m"], "-", 1, 0.3,
-                    "recovers its shape")
         through = [w for w in way if w["x_m"] > 60e-6]
-        results.add(f"{r['run']}: way of the cell", 1e6*max(w["x_m"] for w in way), "um", 95, 35,
-                    "passed the constriction")
+        results.add(f"{r['run']}: length inside over the rest diameter", max(
+            w["L1_m"] for w in way if 33e-6 < w["x_m"] < 43e-6)/diameter, "-", 1.25, 0.2, "longer than at rest")
+        for name, rest in ("L1_m", diameter), ("L2_m", smallest):
+            results.add(f"{r['run']}: {name[:2]} at the end over that at rest", way[-1][name]/rest, "-", 1, "5%",
+                        "the rest shape, 0.18 s behind the constriction")
+        for extreme in min, max:
+            results.add(f"{r['run']}: {extreme.__name__} volume over that at rest", extreme(w["volume_m3"] for w in way)/volume,
+                        "-", 1, "5%", "a red cell keeps its volume")
+        results.add(f"{r['run']}: displacement of the cell", 1e6*max(w["x_m"] for w in way), "um", 265, 30,
+                    "passed the constriction, at about the mean velocity of the tube and more")
         if through:
             inside = [w["t_s"] for w in way if 28e-6 < w["x_m"] < 48e-6]
             narrowest = min(w["Ly_m"] for w in way)
@@ -64,7 +71,7 @@ for r in runs:
         left.plot([w["t_s"] for w in way], [1e6*distance(w) for w in way], label=label(r))
         middle.plot([w["t_s"] for w in way], [w["u_m_s"]/mean_velocity for w in way], label=label(r))
     else:
-        inside = [w for w in way if 15e-6 < w["x_m"] < 100e-6]
+        inside = [w for w in way if 15e-6 < w["x_m"] < 250e-6]
         right.plot([1e6*w["x_m"] for w in inside], [1e6*w["Ly_m"] for w in inside], label=label(r))
 left.set_xlabel("time [s]")
 left.set_ylabel("distance from the axis [um]")

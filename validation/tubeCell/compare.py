@@ -7,7 +7,7 @@ sys.path.append("../shared")
 from results import Results, mean, plt, read, save
 
 # Diameters of a ring of ten spheres at rest through the spheres and between them, volume
-diameter, smallest, volume, mean_velocity = 7.82e-6, 7.589e-6, 94e-18, 0.8e-3
+diameter, smallest, volume, mean_velocity = 7.82e-6, 7.582e-6, 94e-18, 0.8e-3
 results = Results()
 runs = read("data.csv")
 ways = {r["run"]: read(f"data-{r['run']}.csv") for r in runs}

@@ -177,3 +177,50 @@ TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
     t.cloud().moveParcels();
     CHECK(active.active("contact"));
 }
+
+
+TEST_CASE("cloud: an iteration sees the clumps where the step began", "[cloud][contact]")
+{
+    // Two that overlap, one across a periodic boundary
+    testCloud t(point(19.5e-6, 10e-6, 10e-6));
+    t.add(point(3e-6, 10.7e-6, 10.4e-6), vector(-1e-3, 0, 0));
+
+    const fvMesh& mesh = testMesh();
+    const volVectorField U
+    (
+        IOobject("U", testTime().timeName(), mesh),
+        mesh, dimensionedVector(dimVelocity, Zero)
+    );
+    const volScalarField p
+    (
+        IOobject("p", testTime().timeName(), mesh),
+        mesh, dimensionedScalar(sqr(dimVelocity), Zero)
+    );
+    const volScalarField nu
+    (
+        IOobject("testNu", testTime().timeName(), mesh),
+        mesh, dimensionedScalar("nu", dimViscosity, 1.171e-6)
+    );
+
+    // A step decides that there is contact
+    t.immerse();
+    t.cloud().evolve(U, p, nu);
+    t.immerse();
+
+    const List<clumpImage> before(t.cloud().ghosts().images());
+    const scalarField S(t.boundary().strength().primitiveField());
+    t.cloud().iterate(U, p, nu);
+    const List<clumpImage> after(t.cloud().ghosts().images());
+
+    REQUIRE(before.size() == after.size());
+    forAll(before, a)
+    {
+        CHECK(before[a].id == after[a].id);
+        CHECK(max(mag(before[a].x - after[a].x)) == 0);
+    }
+    CHECK(gMax(mag(t.boundary().strength().primitiveField() - S)) == 0);
+
+    // What is imposed has no net dilation
+    const scalarField Q(mesh.V()*t.boundary().dilation().primitiveField());
+    CHECK(mag(gSum(Q)) < 1e-12*gSum(mag(Q)));
+}

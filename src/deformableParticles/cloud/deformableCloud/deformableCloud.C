@@ -189,7 +189,8 @@ void Foam::deformableCloud::advance(const scalar dt)
         {
             if (!type(parcel).fixed())
             {
-                const clumpState start(parcel.state());
+                const pointField x0(parcel.state().x);
+                const vectorField u0(parcel.state().u);
                 if (before[index].first().size())
                 {
                     moveInterior(parcel, before[index], h, dt, ext[index]);
@@ -200,7 +201,7 @@ void Foam::deformableCloud::advance(const scalar dt)
                 );
                 addMomentum
                 (
-                    type(parcel), ext[index], start, parcel.state(), h/dt
+                    type(parcel), ext[index], x0, u0, parcel.state(), h/dt
                 );
             }
             ++index;
@@ -294,14 +295,15 @@ void Foam::deformableCloud::addMomentum
 (
     const clumpType& type,
     const integrator::externals& ext,
-    const clumpState& start,
+    const pointField& x0,
+    const vectorField& u0,
     const clumpState& end,
     const scalar part
 )
 {
-    momentum_.rate += sum(type.masses()*(end.u - start.u));
+    momentum_.rate += sum(type.masses()*(end.u - u0));
     momentum_.exchange -= part*sum(ext.zeta*(end.u - ext.u0));
-    momentum_.applied += part*sum(ext.f - (ext.k & (end.x - start.x)));
+    momentum_.applied += part*sum(ext.f - (ext.k & (end.x - x0)));
 }
 
 

@@ -70,7 +70,7 @@ void Foam::clumpType::setConservation(const dictionary& dict)
         if (dict.found("conservationModels"))
         {
             FatalIOErrorInFunction(dict)
-                << "Either 'conservationModel' or 'conservationModels'"
+                << "Give either conservationModel or conservationModels"
                 << exit(FatalIOError);
         }
         add(getDict(dict, "conservationModel"));

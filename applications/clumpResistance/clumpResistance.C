@@ -27,9 +27,9 @@ Description
 
     Usage
     \verbatim
-        clumpResistance [-clump 0] [-steps 20] [-deltaT dt] [-spins]
+        clumpResistance [-clump 0] [-steps 20] [-deltaT dt] [-rotation]
     \endverbatim
-    -spins adds the spheres' angular velocities, scaled by the radius.
+    -rotation adds the spheres' angular velocities, scaled by the radius.
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
     argList::addOption("clump", "number", "Number of the clump (0)");
     argList::addOption("steps", "number", "Steps from rest (20)");
     argList::addOption("deltaT", "time", "Time step [s] (of the case)");
-    argList::addBoolOption("spins", "Include the spheres' angular velocities");
+    argList::addBoolOption("rotation", "Include the spheres' angular velocities");
 
     #include "setRootCase.H"
     #include "createTime.H"
@@ -78,7 +78,7 @@ int main(int argc, char* argv[])
     );
     active.decide("convection", false, "a resistance is linear");
 
-    resistanceMatrix R(cells, clump, args.found("spins"));
+    resistanceMatrix R(cells, clump, args.found("rotation"));
     const label verbosity = messageStream::level;
 
     Info<< "Clump " << clump << ": " << R.size() << " columns, " << steps

@@ -10,12 +10,12 @@ Foam::resistanceMatrix::resistanceMatrix
 (
     deformableCloud& cells,
     const label clump,
-    const bool spins
+    const bool rotation
 )
 :
     cells_(cells),
     clump_(clump),
-    spins_(spins),
+    rotation_(rotation),
     size_(0),
     typeId_(-1)
 {
@@ -37,7 +37,7 @@ Foam::resistanceMatrix::resistanceMatrix
     Pstream::listCombineGather(x_, maxEqOp<point>());
     Pstream::listCombineScatter(x_);
 
-    size_ = (spins ? 6 : 3)*type().size();
+    size_ = (rotation ? 6 : 3)*type().size();
     R_.setZero(size_, size_);
 }
 
@@ -107,15 +107,15 @@ Eigen::MatrixXd Foam::resistanceMatrix::rigid() const
         const direction d = row % 3;
         vector e(Zero);
         e[d] = 1;
-        const bool spin = row >= 3*x_.size();
+        const bool turning = row >= 3*x_.size();
 
         for (direction c = 0; c < 3; ++c)
         {
             vector axis(Zero);
             axis[c] = 1;
-            J(row, c) = spin ? 0 : (d == c);
+            J(row, c) = turning ? 0 : (d == c);
             J(row, 3 + c) =
-                spin ? type().radii()[i]*(d == c) : ((axis ^ x_[i]) & e);
+                turning ? type().radii()[i]*(d == c) : ((axis ^ x_[i]) & e);
         }
     }
     return J.transpose()*R_*J;

@@ -20,7 +20,7 @@ Description
 #include "forcingModel.H"
 #include "hydrodynamicForceModel.H"
 #include "rotationModel.H"
-#include "exchangeModel.H"
+#include "couplingScheme.H"
 #include "OSspecific.H"
 #include "IFstream.H"
 
@@ -102,17 +102,17 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     REQUIRE(isDir(getEnv("DEFORMABLE_SRC")));
 
     run<clumpShapes::shape>("clump/shapes");
-    run<bondModel>("bondModels");
-    run<dampingModel>("dampingModels");
+    run<bondModel>("bondMechanics/bondModels");
+    run<dampingModel>("bondMechanics/dampingModels");
     run<integrator>("integrators");
-    run<contactModel>("contactModels");
-    run<wallContactModel>("wallContactModels");
-    run<load>("loads");
-    run<solidFractionModel>("immersedBoundary/solidFractionModels");
-    run<forcingModel>("immersedBoundary/forcingModels");
-    run<hydrodynamicForceModel>("immersedBoundary/hydrodynamicForceModels");
-    run<rotationModel>("immersedBoundary/rotationModels");
-    run<exchangeModel>("immersedBoundary/exchangeModels");
+    run<contactModel>("contact/contactModels");
+    run<wallContactModel>("contact/wallContactModels");
+    run<load>("clump/loads");
+    run<solidFractionModel>("fluidCoupling/solidFractionModels");
+    run<forcingModel>("fluidCoupling/forcingModels");
+    run<hydrodynamicForceModel>("fluidCoupling/hydrodynamicForceModels");
+    run<rotationModel>("fluidCoupling/rotationModels");
+    run<couplingScheme>("fluidCoupling/couplingSchemes");
 
     // Corners of a convex surface, which in their order enclose an area as well
     pointField corners(10);
@@ -124,7 +124,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     }
     run<conservationModel>
     (
-        "conservationModels", corners, scalarField(corners.size(), 1e-6)
+        "bondMechanics/conservationModels", corners, scalarField(corners.size(), 1e-6)
     );
 }
 

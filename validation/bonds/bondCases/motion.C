@@ -41,7 +41,7 @@ clumpType cell(const string& damping)
 }
 
 
-//- Every sphere its own velocity and spin; the clump as a whole stays where it is, as
+//- Every sphere its own velocity and angular velocity; the clump as a whole stays where it is, as
 //  in the solver, where positions are relative to the parcel
 void excite(const clumpType& type, clumpState& s, const scalar speed)
 {

@@ -84,7 +84,7 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
     if (drag_.valid())
     {
         ext.f += parcel.fluidForces();
-        ext.zeta = freeDraining::resistance(ct, mu_);
+        ext.zeta = oneWayDrag::resistance(ct, mu_);
         ext.u0 = imposed.u;
     }
 
@@ -92,7 +92,7 @@ Foam::integrator::externals Foam::deformableCloud::steadyForces
     {
         ext.f += parcel.fluidForces();
         ext.t += parcel.fluidTorques();
-        exchangeModel_->coefficients
+        couplingScheme_->coefficients
         (
             ct, s.exchange*mu_, rho_, dt, ext.zeta, ext.zetaR
         );
@@ -238,7 +238,7 @@ void Foam::deformableCloud::moveInterior
 {
     const clumpState& s = parcel.state();
     scalarField zeta(ext.zeta), zetaR(ext.zetaR);
-    exchangeModel_->coefficients
+    couplingScheme_->coefficients
     (
         type(parcel), s.exchange*mu_, rho_, h, zeta, zetaR
     );

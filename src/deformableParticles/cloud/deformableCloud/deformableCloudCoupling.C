@@ -5,7 +5,7 @@
 
 #include "deformableCloud.H"
 
-Foam::vectorField Foam::deformableCloud::imposedSpins
+Foam::vectorField Foam::deformableCloud::imposedAngularVelocities
 (
     const clumpType& type,
     const clumpState& s
@@ -15,7 +15,7 @@ Foam::vectorField Foam::deformableCloud::imposedSpins
     {
         return vectorField(type.size(), Zero);
     }
-    return rotationModel_->spins(type, s);
+    return rotationModel_->angularVelocities(type, s);
 }
 
 
@@ -69,7 +69,7 @@ void Foam::deformableCloud::impose()
     for (label i = 0; i < ghosts_.nOwn(); ++i)
     {
         clumpImage& image = ghosts_.images()[i];
-        image.dilation.removeFrom(image.u, image.spin);
+        image.dilation.removeFrom(image.u, image.omega);
     }
     ghosts_.updateVelocities();
     immersedBoundary_->impose(ghosts_.images());
@@ -143,7 +143,7 @@ void Foam::deformableCloud::iterate
 
         clumpImage& image = ghosts_.images()[index];
         image.u = trial.u;
-        image.spin = imposedSpins(type(parcel), trial);
+        image.omega = imposedAngularVelocities(type(parcel), trial);
 
         start[index].exchange = parcel.state().exchange;
         start[index].overshoots = parcel.state().overshoots;
@@ -220,7 +220,7 @@ void Foam::deformableCloud::adaptExchange
         s.overshoots > 1
      || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(s.u)));
     last = now;
-    if (exchangeModel_->damps())
+    if (couplingScheme_->damps())
     {
         overshoots_ =
             overshoots_ || (unstable && s.exchange >= maxExchangeFactor);

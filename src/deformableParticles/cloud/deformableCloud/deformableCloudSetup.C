@@ -119,7 +119,7 @@ Foam::deformableCloud::deformableCloud
             rotationModel_ =
                 selectModel<rotationModel>(getDict(dict_, "rotation"));
         }
-        exchangeModel_ = selectModel<exchangeModel>(getDict(dict_, "exchange"));
+        couplingScheme_ = selectModel<couplingScheme>(getDict(dict_, "exchange"));
         immersedBoundary_.reset
         (
             new immersedBoundary
@@ -130,7 +130,7 @@ Foam::deformableCloud::deformableCloud
     }
     else if (wet())
     {
-        drag_.reset(new freeDraining(types_));
+        drag_.reset(new oneWayDrag(types_));
     }
 
     nClumps_ = returnReduce(size(), sumOp<label>());

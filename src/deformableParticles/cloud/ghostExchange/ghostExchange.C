@@ -265,7 +265,7 @@ void Foam::ghostExchange::update(const deformableCloud& cloud)
         image.shift = Zero;
         image.x = p.centres();
         image.u = p.state().u;
-        image.spin = cloud.imposedSpins(type, p.state());
+        image.omega = cloud.imposedAngularVelocities(type, p.state());
         image.box = boundBox();
         forAll(image.x, i)
         {
@@ -332,7 +332,7 @@ void Foam::ghostExchange::updateVelocities()
         OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
         for (const label i : sent_[n])
         {
-            os << images_[i].u << images_[i].spin;
+            os << images_[i].u << images_[i].omega;
         }
     }
 
@@ -342,7 +342,7 @@ void Foam::ghostExchange::updateVelocities()
         if (image.owner == Pstream::myProcNo())
         {
             image.u = images_[image.index].u;
-            image.spin = images_[image.index].spin;
+            image.omega = images_[image.index].omega;
         }
     }
 
@@ -354,7 +354,7 @@ void Foam::ghostExchange::updateVelocities()
         {
             if (image.owner == proci)
             {
-                is >> image.u >> image.spin;
+                is >> image.u >> image.omega;
             }
         }
     }

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
-#include "listsFile.H"
+#include "compactFieldReader.H"
 
 Foam::clumpParcel::clumpParcel
 (
@@ -58,7 +58,7 @@ struct listField
 const listField listFields[] =
 {
     {"velocities", &clumpState::u},
-    {"spins", &clumpState::w},
+    {"angularVelocities", &clumpState::w},
     {"accelerations", &clumpState::a},
     {"angularAccelerations", &clumpState::b},
     {"bondForces", &clumpState::n},
@@ -132,7 +132,7 @@ Field<Type> readValues(const Cloud<clumpParcel>& c, const word& name)
 template<class Type, class Getter>
 void readLists(Cloud<clumpParcel>& c, const word& name, const Getter& own)
 {
-    const listsFile<Type> file
+    const compactFieldReader<Type> file
     (
         c.fieldIOobject(name, IOobject::MUST_READ), c.size() > 0
     );

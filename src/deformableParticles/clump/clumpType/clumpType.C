@@ -147,7 +147,7 @@ void Foam::clumpType::setBonds
     const dictionary& dict
 )
 {
-    pattern_ = blockPattern(size(), pairs);
+    pattern_ = sparsityPattern(size(), pairs);
 
     if (pairs.empty())
     {

@@ -12,7 +12,7 @@
 #include "zeroGradientFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "FlatOutput.H"
-#include "entries.H"
+#include "checkedEntries.H"
 
 namespace Foam
 {

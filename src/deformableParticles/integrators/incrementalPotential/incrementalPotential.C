@@ -10,9 +10,9 @@ namespace
 
 using namespace Foam;
 
-//- The gradient by a spin of v.phi, phi the rotation vector: J^-T v with J the
+//- The gradient by a rotation of v.phi, phi the rotation vector: J^-T v with J the
 //  left Jacobian of the exponential map
-vector spinGradient(const vector& phi, const vector& v)
+vector rotationGradient(const vector& phi, const vector& v)
 {
     const scalar p2 = magSqr(phi);
     scalar c = 1.0/12.0 + p2/720*(1 + p2/42*(1 + p2/40));
@@ -96,7 +96,7 @@ Foam::scalar Foam::incrementalPotential::value
                 g += m*du + z*duR;
                 h += I*dw + zR*dwR;
             }
-            h = spinGradient(phi, h) - T_[i];
+            h = rotationGradient(phi, h) - T_[i];
             gradient->segment<6>(6*i) <<
                 g.x(), g.y(), g.z(), h.x(), h.y(), h.z();
         }

@@ -1,0 +1,402 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCloud.H"
+
+using namespace Foam;
+
+TEST_CASE("boundary: the solid volume is that of the union", "[boundary]")
+{
+    // In the middle, and across the corner of all periodic directions
+    const point centre = GENERATE
+    (
+        point(10e-6, 10e-6, 10e-6), point(0.3e-6, 7.1e-6, 19.6e-6)
+    );
+    const testCloud t(centre);
+    const scalar V =
+        gSum(t.boundary().solidFraction().primitiveField()*testMesh().V());
+
+    CHECK(V == Approx(t.type().volume()).epsilon(0.002));
+}
+
+
+TEST_CASE("boundary: a rigid motion is imposed to round-off", "[boundary]")
+{
+    const vector omega = GENERATE(vector(0, 0, 70), vector(70, 40, -20));
+    const point centre(0.3e-6, 7.1e-6, 19.6e-6);
+    const vector u(1e-3, 2e-3, -1e-3);
+    testCloud t(centre, u, omega);
+
+    const fvMesh& mesh = testMesh();
+    const vector span(20e-6, GREAT, 20e-6);
+    scalar worst = 0, dilation = 0;
+    label solid = 0;
+
+    forAll(mesh.C(), celli)
+    {
+        if (t.boundary().strength()[celli] > 0)
+        {
+            vector r(mesh.C()[celli] - centre);
+            r.x() -= span.x()*std::round(r.x()/span.x());
+            r.z() -= span.z()*std::round(r.z()/span.z());
+
+            const vector exact(u + (omega ^ r));
+            worst = max
+            (
+                worst, mag(t.boundary().solidVelocity()[celli] - exact)
+            );
+            dilation = max(dilation, mag(t.boundary().dilation()[celli]));
+            ++solid;
+        }
+    }
+    CHECK(returnReduce(worst, maxOp<scalar>()) < 1e-12*mag(u));
+
+    // A rigid motion does not dilate
+    CHECK(returnReduce(dilation, maxOp<scalar>()) < 1e-10*mag(omega));
+    CHECK(returnReduce(solid, sumOp<label>()) > 100);
+}
+
+
+TEST_CASE("boundary: third law, and forces the transpose of velocities", "[boundary][adjoint]")
+{
+    const word rotation = GENERATE(word("none"), word("perSphere"), word("clump"));
+    const word forcing = GENERATE(word("sharp"), word("cutCell"));
+    testCloud t
+    (
+        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), vector(30, 20, 10),
+        rotation, true, forcing
+    );
+    t.deform(0.1);
+
+    const fvMesh& mesh = testMesh();
+    const scalar rho = 1025;
+
+    // Any flow and pressure
+    volVectorField U
+    (
+        IOobject("U", testTime().timeName(), mesh),
+        mesh, dimensionedVector(dimVelocity, Zero)
+    );
+    volScalarField p
+    (
+        IOobject("p", testTime().timeName(), mesh),
+        mesh, dimensionedScalar(sqr(dimVelocity), Zero)
+    );
+    forAll(U, celli)
+    {
+        const vector x(3e5*mesh.C()[celli]);
+        U[celli] = 1e-3*vector
+        (
+            Foam::sin(x.y() + x.z()), Foam::cos(x.x()), Foam::sin(x.x()*x.y())
+        );
+        p[celli] = 1e-3*Foam::cos(x.x() + 2*x.y() - x.z());
+    }
+
+    t.immerse();
+    const volVectorField us(t.boundary().solidVelocity());
+    const scalarField S(t.boundary().strength());
+    t.cloud().gather(U, p);
+
+    const vector onFluid(t.boundary().forceOnFluid(U, rho));
+    const vector onClump(t.sumForces());
+    CHECK(mag(onFluid) > 0);
+    CHECK(mag(onFluid + onClump) < 1e-12*mag(onFluid));
+
+    // Power for other velocities, particle side and fluid side
+    const scalar size = t.sumMagForces()*1e-3;
+    t.changeVelocities();
+    const scalar particleSide = t.power();
+    t.immerse();
+
+    const scalarField V(mesh.V());
+    const scalar fluidSide = gSum
+    (
+        rho*V
+       *(
+            S*
+            (
+                (U.primitiveField() - us.primitiveField())
+              & t.boundary().solidVelocity().primitiveField()
+            )
+          - p.primitiveField()*t.boundary().dilation().primitiveField()
+        )
+    );
+    CHECK(mag(particleSide - fluidSide) < 1e-11*size);
+}
+
+
+TEST_CASE("boundary: the pressure's level does no work on a clump", "[boundary][adjoint]")
+{
+    // Deformed, across the corner of all periodic directions
+    testCloud t(point(0.3e-6, 7.1e-6, 19.6e-6));
+    t.deform(0.1);
+    t.changeVelocities();
+    t.immerse();
+
+    const fvMesh& mesh = testMesh();
+    const scalarField V(mesh.V());
+    const scalarField& Q = t.boundary().dilation().primitiveField();
+    CHECK(mag(gSum(V*Q)) < 1e-13*gSum(V*mag(Q)));
+
+    // Forces of a uniform pressure of 1 kPa, over those of the same gradients
+    const volVectorField U
+    (
+        IOobject("U", testTime().timeName(), mesh),
+        mesh, dimensionedVector(dimVelocity, Zero)
+    );
+    volScalarField p
+    (
+        IOobject("p", testTime().timeName(), mesh),
+        mesh, dimensionedScalar(sqr(dimVelocity), Zero)
+    );
+    t.cloud().gather(U, p);
+    const scalar without = t.sumMagForces();
+    const scalar power = t.power();
+
+    p = dimensionedScalar("p", sqr(dimVelocity), 1);
+    t.cloud().gather(U, p);
+    const scalar area = 4*constant::mathematical::pi*sqr(t.type().reach());
+    CHECK(mag(t.sumMagForces() - without) < 1e-13*1025*area);
+    CHECK(mag(t.power() - power) < 1e-13*1025*area*1e-3);
+}
+
+
+TEST_CASE("boundary: two clumps in a cell share it", "[boundary]")
+{
+    // The second one overlaps the first by half a radius
+    testCloud t(point(10e-6, 10e-6, 10e-6));
+    t.add(point(10e-6, 10e-6, 13e-6));
+    t.immerse();
+
+    CHECK
+    (
+        gMax(t.boundary().solidFraction().primitiveField())
+     == Approx(1).epsilon(1e-12)
+    );
+}
+
+
+TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
+{
+    const word forcing = GENERATE(word("sharp"), word("cutCell"));
+
+    // Two overlapping spheres of different radii
+    PtrList<clumpType> types(2);
+    clumpImage images[2];
+    forAll(types, a)
+    {
+        const scalar r = a ? 1.5e-6 : 2.5e-6;
+        dictionary dict(cellDict());
+        dict.set
+        (
+            "shape",
+            dictOf
+            (
+                "type chain; nSpheres 1; sphereRadius " + Foam::name(r) + ";"
+            )
+        );
+        types.set(a, new clumpType("sphere" + Foam::name(a), dict));
+
+        clumpImage& image = images[a];
+        image.typeId = a;
+        image.x = pointField(1, point(10e-6 + a*3.3e-6, 10e-6, 9.7e-6));
+        image.u = vectorField(1, vector(1e-3, a*1e-3, 0));
+        image.omega = vectorField(1, vector(0, 0, a*100));
+        image.box = boundBox
+        (
+            image.x[0] - r*vector::one, image.x[0] + r*vector::one
+        );
+        image.clearSums();
+    }
+
+    immersedBoundary boundary
+    (
+        testMesh(), types,
+        dictOf
+        (
+            "solidFraction { type tetClipping; }"
+            "forcing { type " + forcing + "; }"
+            "hydrodynamicForce { type momentumExchange; }"
+            "interiorDilation no;"
+        )
+    );
+    const volScalarField nu
+    (
+        IOobject("testNu", testTime().timeName(), testMesh()),
+        testMesh(), dimensionedScalar("nu", dimViscosity, 1.171e-6)
+    );
+
+    List<clumpImage> order({images[0], images[1]});
+    boundary.update(order, nu);
+    boundary.impose(order);
+    const scalarField S(boundary.strength());
+    const vectorField us(boundary.solidVelocity());
+
+    order = {images[1], images[0]};
+    boundary.update(order, nu);
+    boundary.impose(order);
+    const scalarField dS(boundary.strength().primitiveField() - S);
+    const vectorField du(boundary.solidVelocity().primitiveField() - us);
+
+    CHECK(gMax(mag(dS)) < 1e-12*gMax(S));
+    CHECK(gMax(mag(du)) < 1e-12*gMax(mag(us)));
+}
+
+
+TEST_CASE("boundary: flux of the sharp forcing to a wall on the way to a neighbour", "[boundary][serial]")
+{
+    const scalar part = GENERATE(0.03, 0.4, 0.97);
+    const scalar radius = 3e-6;
+    const scalar nu = 1.171e-6;
+    const fvMesh& mesh = testMesh();
+
+    // A sphere whose surface cuts the line along x at a part of it
+    const label celli = mesh.findCell(point(10.1e-6, 10.1e-6, 10.1e-6));
+    const scalar dx = Foam::cbrt(mesh.V()[celli]);
+    const point& x = mesh.C()[celli];
+
+    dictionary dict(cellDict());
+    dict.set("shape", dictOf("type chain; nSpheres 1; sphereRadius 3e-6;"));
+    PtrList<clumpType> types(1);
+    types.set(0, new clumpType("sphere", dict));
+
+    clumpImage image;
+    image.typeId = 0;
+    image.x = pointField(1, x - vector(radius + part*dx, 0, 0));
+    image.u = vectorField(1, Zero);
+    image.omega = vectorField(1, Zero);
+    image.box = boundBox
+    (
+        image.x[0] - radius*vector::one, image.x[0] + radius*vector::one
+    );
+    image.clearSums();
+
+    immersedBoundary boundary
+    (
+        mesh, types,
+        dictOf
+        (
+            "solidFraction { type tetClipping; }"
+            "forcing { type sharp; displacement 0; }"
+            "hydrodynamicForce { type momentumExchange; }"
+            "interiorDilation no;"
+        )
+    );
+    const volScalarField viscosity
+    (
+        IOobject("testNu", testTime().timeName(), mesh),
+        mesh, dimensionedScalar("nu", dimViscosity, nu)
+    );
+    List<clumpImage> images(1, image);
+    boundary.update(images, viscosity);
+
+    // With the flux the mesh has already: nu/(part dx) over the cell's width
+    CHECK
+    (
+        boundary.strength()[celli] + nu/sqr(dx)
+     == Approx(nu/(part*sqr(dx))).epsilon(1e-9)
+    );
+}
+
+
+TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][serial]")
+{
+    const word fraction = GENERATE
+    (
+        word("full"), word("centre"), word("signedDistance"), word("tetClipping")
+    );
+    const word forcing = GENERATE
+    (
+        word("continuous"), word("cutCell"), word("sharp")
+    );
+    testCloud t
+    (
+        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), Zero, "clump", true,
+        forcing, fraction
+    );
+
+    // Solid in the middle of a sphere, whose velocity is the cell's
+    const scalarField& S = t.boundary().strength();
+    const label deepest = findMax(S);
+    CHECK(gMin(S) >= 0);
+    CHECK(gMax(t.boundary().solidFraction().primitiveField()) == Approx(1));
+    CHECK
+    (
+        mag(t.boundary().solidVelocity()[deepest] - vector(1e-3, 0, 0)) < 1e-15
+    );
+}
+
+
+TEST_CASE
+(
+    "immersedBoundary: what stands still is not found anew, what moves is",
+    "[immersedBoundary]"
+)
+{
+    testCloud t(point(10e-6, 9e-6, 8e-6), vector(1e-3, 2e-3, 0));
+    const scalarField first(t.boundary().strength().primitiveField());
+
+    t.immerse();
+    CHECK(gMax(mag(t.boundary().strength().primitiveField() - first)) == 0);
+
+    const auto shift = [&](const vector& d)
+    {
+        for (clumpParcel& p : t.cloud())
+        {
+            p.state().x += d;
+        }
+        t.immerse();
+    };
+    shift(vector(0.4e-6, 0, 0));
+    CHECK(gMax(mag(t.boundary().strength().primitiveField() - first)) > 0);
+
+    testCloud there(point(10.4e-6, 9e-6, 8e-6), vector(1e-3, 2e-3, 0));
+    const scalarField difference
+    (
+        t.boundary().strength().primitiveField()
+      - there.boundary().strength().primitiveField()
+    );
+    CHECK(gMax(mag(difference)) < 1e-6*gMax(first));
+}
+
+
+TEST_CASE("boundary: the exchange's factor has a limit", "[boundary][exchange]")
+{
+    // A flow that turns round in every pass, and grows
+    testCloud t(point(10e-6, 10e-6, 10e-6));
+    const fvMesh& mesh = testMesh();
+    volScalarField p
+    (
+        IOobject("testP", testTime().timeName(), mesh),
+        mesh, dimensionedScalar("p", sqr(dimVelocity), 0)
+    );
+    volScalarField nu
+    (
+        IOobject("testNu", testTime().timeName(), mesh),
+        mesh, dimensionedScalar("nu", dimViscosity, 1.171e-6)
+    );
+
+    scalar speed = 1e-6, largest = 0;
+    for (label pass = 0; pass < 20; ++pass)
+    {
+        speed *= -3;
+        const volVectorField U
+        (
+            IOobject("testU", testTime().timeName(), mesh),
+            mesh, dimensionedVector("U", dimVelocity, vector(speed, 0, 0))
+        );
+        t.cloud().iterate(U, p, nu);
+        for (const clumpParcel& parcel : t.cloud())
+        {
+            largest = max(largest, parcel.state().exchange);
+        }
+    }
+    reduce(largest, maxOp<scalar>());
+    CHECK(largest == 1024);
+
+    // More damping does not help: only a shorter step may
+    CHECK(t.cloud().needsShorterStep());
+}

@@ -1,0 +1,110 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCase.H"
+#include "rotationModel.H"
+
+using namespace Foam;
+
+namespace
+{
+
+autoPtr<rotationModel> rotationOf(const word& type)
+{
+    dictionary dict;
+    dict.add("type", type);
+    return selectModel<rotationModel>(dict);
+}
+
+}
+
+
+TEST_CASE("rotation: a rigid motion is imposed exactly", "[rotation][serial]")
+{
+    const clumpType type("cell", cellDict());
+    Random random(12);
+    clumpState s(type, randomRotation(random));
+    const point centre(s.centre(type));
+    const vector u(1e-3, 2e-3, -1e-3);
+
+    // The ring's axis, about which rotation is in its plane
+    const vector axis(normalised((s.x[0] - centre) ^ (s.x[2] - centre)));
+    const bool inPlane = GENERATE(true, false);
+    const vector omega(inPlane ? 80*axis : vector(80, -30, 50));
+    s.setRigidMotion(type, u, omega);
+
+    const auto error = [&](const word& model)
+    {
+        const vectorField omegas(rotationOf(model)->angularVelocities(type, s));
+        scalar worst = 0;
+        forAll(omegas, i)
+        {
+            const point x(s.x[i] + type.radii()[i]*randomVector(random));
+            const vector imposed(s.u[i] + (omegas[i] ^ (x - s.x[i])));
+            const vector exact(u + (omega ^ (x - centre)));
+            worst = max(worst, mag(imposed - exact)/mag(exact));
+        }
+        return worst;
+    };
+
+    CHECK(error("clump") < 1e-12);
+
+    // Eq. 13 is exact in the plane and not for tumbling
+    CHECK((error("perSphere") < 1e-12) == inPlane);
+    CHECK(error("none") > 1e-3);
+}
+
+
+TEST_CASE("rotation: single sphere and straight chain", "[rotation][serial]")
+{
+    dictionary dict(cellDict());
+    dict.set
+    (
+        "shape",
+        dictOf
+        (
+            GENERATE(true, false)
+          ? "type chain; nSpheres 1; sphereRadius 1e-6;"
+          : "type chain; nSpheres 4; spacing 1.5e-6; sphereRadius 1e-6;"
+        )
+    );
+    const clumpType type("chain", dict);
+    clumpState s(type);
+    const vector omega(10, 20, 30);
+    s.setRigidMotion(type, Zero, omega);
+
+    CHECK(max(mag(rotationOf("clump")->angularVelocities(type, s) - omega)) < 1e-10*mag(omega));
+}
+
+
+TEST_CASE("rotation: forces are the transpose of velocities", "[rotation][adjoint][serial]")
+{
+    const word model = GENERATE(word("none"), word("perSphere"), word("clump"));
+    const clumpType type("cell", cellDict());
+    const label n = type.size();
+    Random random(13);
+
+    clumpState s(type);
+    disturb(type, s, 0.3, random);
+
+    vectorField fluidTorques(n), f(n, Zero), t(n, Zero);
+    for (vector& torque : fluidTorques)
+    {
+        torque = 1e-18*randomVector(random);
+    }
+
+    const autoPtr<rotationModel> rotation(rotationOf(model));
+    rotation->transpose(type, s, fluidTorques, f, t);
+    const vectorField omegas(rotation->angularVelocities(type, s));
+
+    const scalar power = sum(f & s.u) + sum(t & s.w);
+    const scalar expected = sum(fluidTorques & omegas);
+    const scalar scale = sum(mag(fluidTorques)*mag(s.w)) + VSMALL;
+    CHECK(mag(power - expected) < 1e-12*scale);
+
+    // A couple has no net force
+    CHECK(mag(sum(f)) < 1e-12*(sum(mag(f)) + VSMALL));
+}

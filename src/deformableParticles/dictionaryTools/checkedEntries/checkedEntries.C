@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "checkedEntries.H"
+#include "dimensionedScalar.H"
+#include "FlatOutput.H"
+#include "DynamicList.H"
+#include "messageStream.H"
+#include <vector>
+
+namespace
+{
+
+using namespace Foam;
+
+//- The value when it lies from low to high, else fatal with the rule
+template<class Type>
+Type checked
+(
+    const dictionary& dict,
+    const word& key,
+    const Type value,
+    const Type low,
+    const Type high,
+    const string& rule
+)
+{
+    if (value < low || value > high)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' is " << value << ", it must be "
+            << rule.c_str() << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+scalar positive(const dictionary& dict, const word& key, const scalar value)
+{
+    return checked
+    (
+        dict, key, value, smallestEntry, largestEntry,
+        "above 0 (1e-40 to 1e40)"
+    );
+}
+
+
+//- Letters to insert, delete or change to turn one word into the other
+size_t distance(const std::string& a, const std::string& b)
+{
+    std::vector<size_t> row(b.size() + 1);
+    for (size_t j = 0; j <= b.size(); ++j)
+    {
+        row[j] = j;
+    }
+    for (size_t i = 1; i <= a.size(); ++i)
+    {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= b.size(); ++j)
+        {
+            const size_t change = diagonal + (a[i - 1] != b[j - 1]);
+            diagonal = row[j];
+            row[j] = std::min(change, 1 + std::min(row[j], row[j - 1]));
+        }
+    }
+    return row[b.size()];
+}
+
+
+scalar nonNegative(const dictionary& dict, const word& key, const scalar value)
+{
+    return checked
+    (
+        dict, key, value, scalar(0), largestEntry, "0 or above (up to 1e40)"
+    );
+}
+
+
+template<class Type>
+Type between
+(
+    const dictionary& dict, const word& key, const Type low, const Type high
+)
+{
+    return checked
+    (
+        dict, key, dict.get<Type>(key), low, high,
+        "from " + Foam::name(low) + " to " + Foam::name(high)
+    );
+}
+
+}
+
+
+void Foam::refuseMisspelt(const dictionary& dict, const wordList& known)
+{
+    for (const entry& e : dict)
+    {
+        const keyType& key = e.keyword();
+        if (key.isPattern() || known.found(key))
+        {
+            continue;
+        }
+        for (const word& meant : known)
+        {
+            if (!dict.found(meant) && distance(key, meant) < 2 + meant.size()/8)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown entry '" << key << "' in dictionary "
+                    << dict.name() << ", is it '" << meant << "'?" << nl
+                    << "Valid entries: " << flatOutput(known)
+                    << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
+void Foam::checkEntries
+(
+    const dictionary& dict,
+    const wordList& known,
+    const wordList& derived
+)
+{
+    wordList valid(known);
+    valid.append(derived);
+    refuseMisspelt(dict, valid);
+
+    DynamicList<word> unused;
+    for (const entry& e : dict)
+    {
+        if (!e.keyword().isPattern() && !valid.found(e.keyword()))
+        {
+            unused.append(e.keyword());
+        }
+    }
+    if (unused.size())
+    {
+        IOWarningInFunction(dict)
+            << "Nothing reads " << flatOutput(unused) << nl
+            << "    Valid entries: " << flatOutput(valid) << endl;
+    }
+}
+
+
+const Foam::dictionary& Foam::getDict(const dictionary& dict, const word& key)
+{
+    if (dict.found(key) && !dict.isDict(key))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' must be a sub-dictionary, "
+            << key << " { ... }" << exit(FatalIOError);
+    }
+    return dict.subDict(key);
+}
+
+
+Foam::scalar Foam::getPositive(const dictionary& dict, const word& key)
+{
+    return positive(dict, key, dict.get<scalar>(key));
+}
+
+
+Foam::scalar Foam::getPositiveOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar value
+)
+{
+    return positive(dict, key, dict.getOrDefault<scalar>(key, value));
+}
+
+
+Foam::scalar Foam::getPositive
+(
+    const dictionary& dict,
+    const word& key,
+    const dimensionSet& dimensions
+)
+{
+    const dimensionedScalar value(key, dict);
+    if (value.dimensions() != dimensions && value.dimensions() != dimless)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' has the dimensions "
+            << value.dimensions() << ", they must be " << dimensions
+            << exit(FatalIOError);
+    }
+    return positive(dict, key, value.value());
+}
+
+
+Foam::scalar Foam::getNonNegative(const dictionary& dict, const word& key)
+{
+    return nonNegative(dict, key, dict.get<scalar>(key));
+}
+
+
+Foam::scalar Foam::getNonNegativeOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar value
+)
+{
+    return nonNegative(dict, key, dict.getOrDefault<scalar>(key, value));
+}
+
+
+Foam::scalar Foam::getBetween
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar low,
+    const scalar high
+)
+{
+    return between(dict, key, low, high);
+}
+
+
+Foam::label Foam::getNumber
+(
+    const dictionary& dict,
+    const word& key,
+    const label low,
+    const label high
+)
+{
+    return between(dict, key, low, high);
+}

@@ -1,0 +1,63 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "robin.H"
+#include "clumpState.H"
+#include "mathematicalConstants.H"
+#include <Eigen/Eigenvalues>
+
+namespace Foam
+{
+namespace couplingSchemes
+{
+    defineTypeNameAndDebug(robin, 0);
+    addToRunTimeSelectionTable(couplingScheme, robin, dictionary);
+}
+}
+
+
+Foam::couplingSchemes::robin::robin(const dictionary& dict)
+:
+    margin_(getNonNegative(dict, "margin"))
+{
+    checkEntries(dict, {"type", "margin"});
+}
+
+
+void Foam::couplingSchemes::robin::coefficients
+(
+    const clumpType& type,
+    const scalar mu,
+    const scalar rho,
+    const scalar dt,
+    scalarField& zeta,
+    scalarField& zetaR
+) const
+{
+    using constant::mathematical::pi;
+    const scalarField& r = type.radii();
+    const scalarField inertia(rho*type.volumes()/dt);
+
+    zeta = margin_*6*pi*mu*r + inertia;
+
+    const tensor I(clumpState(type).inertia(type));
+    Eigen::Matrix3d moments;
+    moments <<
+        I.xx(), I.xy(), I.xz(),
+        I.yx(), I.yy(), I.yz(),
+        I.zx(), I.zy(), I.zz();
+    const scalar least =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>
+        (
+            moments, Eigen::EigenvaluesOnly
+        ).eigenvalues()[0];
+    const scalar ofSpheres = sum(type.inertias());
+    const scalar resistance =
+        8*pi*mu*sum(pow3(r))
+      + 6*pi*mu*max(r)*r.size()*(least - ofSpheres)/type.mass();
+
+    zetaR =
+        margin_*resistance*sqr(ofSpheres/least)/r.size() + 0.4*inertia*sqr(r);
+}

@@ -1,0 +1,151 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "coveredCells.H"
+#include "sphereUnion.H"
+
+void Foam::coveredCells::find
+(
+    const cellGeometry& geometry,
+    const solidFractionModel& solidFraction,
+    const forcingModel& forcing,
+    const clumpType& type,
+    const clumpImage& image
+)
+{
+    typeId = image.typeId;
+    centres = image.x;
+
+    const fvMesh& mesh = geometry.mesh();
+    const scalarField& radii = type.radii();
+    const scalar smallest = min(radii);
+    const bool usesDistance = forcing.usesDistance();
+    const scalar nReaches = usesDistance ? 2 : 1;
+    DynamicList<point> nearCentres;
+    DynamicList<scalar> nearRadii;
+    scalarField seenRadii(radii);
+
+    for (const label celli : geometry.find(image.box, nReaches))
+    {
+        const point& x = mesh.cellCentres()[celli];
+        const scalar reach = geometry.reach(celli);
+        if (magSqr(x - image.box.nearest(x)) > sqr(nReaches*reach))
+        {
+            continue;
+        }
+        const scalar d = sphereUnion::distance(x, image.x, radii);
+
+        if (d > nReaches*reach)
+        {
+            continue;
+        }
+
+        scalar fraction = d > reach ? 0 : 1;
+        if (mag(d) < reach)
+        {
+            nearCentres.clear();
+            nearRadii.clear();
+            forAll(image.x, i)
+            {
+                // The others do not reach into the cell
+                if (mag(x - image.x[i]) < radii[i] + reach)
+                {
+                    nearCentres.append(image.x[i]);
+                    nearRadii.append(radii[i]);
+                }
+            }
+            fraction = solidFraction.fraction
+            (
+                mesh, celli, d, nearCentres, nearRadii
+            );
+        }
+
+        const scalar dx = geometry.width(celli);
+        scalar seen = GREAT, conductance = 0;
+        if (usesDistance)
+        {
+            forAll(radii, i)
+            {
+                seenRadii[i] =
+                    radii[i] + forcing.displacement(dx, radii[i]);
+            }
+            const auto surface = [&](const point& y)
+            {
+                return sphereUnion::distance(y, image.x, seenRadii);
+            };
+            seen = surface(x);
+            if (seen > 0)
+            {
+                conductance = geometry.wallConductance(celli, seen, surface);
+            }
+        }
+
+        if (fraction > SMALL || conductance > 0 || seen < 0)
+        {
+            if (smallest < 0.999*dx)
+            {
+                FatalErrorInFunction
+                    << "Clump type " << type.name() << ": the sphere radius "
+                    << smallest << " at " << image.x[0] << " is below the "
+                    << "cell width " << dx << " (D/dx = " << 2*smallest/dx
+                    << "): refine the mesh until D/dx is 2 at least, 4 for "
+                    << "accuracy" << exit(FatalError);
+            }
+            cells.append(celli);
+            lambda.append(fraction);
+            distance.append(seen);
+            wallConductance.append(conductance);
+        }
+    }
+    share = lambda;
+}
+
+
+void Foam::coveredCells::setWeights
+(
+    const fvMesh& mesh,
+    const clumpType& type,
+    const clumpImage& image
+)
+{
+    const label n = type.size();
+
+    weights.setSize(n*cells.size());
+    gradWeights.setSize(n*cells.size());
+    scalarField exponent(n);
+
+    forAll(cells, k)
+    {
+        const point& x = mesh.cellCentres()[cells[k]];
+        scalar* w = &weights[n*k];
+        vector* gradW = &gradWeights[n*k];
+
+        for (label i = 0; i < n; ++i)
+        {
+            exponent[i] = -magSqr(x - image.x[i])/sqr(type.radii()[i]);
+        }
+
+        // The largest exponent taken out: the sum is never zero
+        const scalar largest = max(exponent);
+        scalar sum = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            w[i] = Foam::exp(max(exponent[i] - largest, scalar(-200)));
+            sum += w[i];
+        }
+
+        vector mean(Zero);
+        for (label i = 0; i < n; ++i)
+        {
+            w[i] /= sum;
+            gradW[i] = -2/sqr(type.radii()[i])*(x - image.x[i]);
+            mean += w[i]*gradW[i];
+        }
+        for (label i = 0; i < n; ++i)
+        {
+            gradW[i] = w[i]*(gradW[i] - mean);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "oneWayDrag.H"
+#include "volFields.H"
+#include "mathematicalConstants.H"
+
+Foam::scalarField Foam::oneWayDrag::resistance
+(
+    const clumpType& type,
+    const scalar mu
+)
+{
+    using constant::mathematical::pi;
+
+    const scalarField& r = type.radii();
+    const scalar screening = cbrt(0.75*type.volume()/pi)/sum(r);
+    return screening*6*pi*mu*r;
+}
+
+
+void Foam::oneWayDrag::integrate
+(
+    const volVectorField& U,
+    const scalar mu,
+    const bool steady,
+    UList<clumpImage>& images
+)
+{
+    if (!steady || !velocity_.valid())
+    {
+        velocity_.reset(new interpolationCellPoint<vector>(U));
+    }
+
+    for (clumpImage& image : images)
+    {
+        const scalarField zeta(resistance(types_[image.typeId], mu));
+        image.force = Zero;
+        image.torque = Zero;
+
+        forAll(image.x, i)
+        {
+            const point& x = image.x[i];
+            const label celli = U.mesh().findCell(x);
+            if (celli >= 0)
+            {
+                image.force[i] =
+                    zeta[i]*(velocity_->interpolate(x, celli) - image.u[i]);
+            }
+        }
+    }
+}

@@ -1,0 +1,48 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpRotation.H"
+
+namespace Foam
+{
+namespace rotationModels
+{
+    defineTypeNameAndDebug(clumpRotation, 0);
+    addToRunTimeSelectionTable(rotationModel, clumpRotation, dictionary);
+}
+}
+
+
+Foam::vectorField Foam::rotationModels::clumpRotation::angularVelocities
+(
+    const clumpType& type,
+    const clumpState& s
+) const
+{
+    return vectorField(type.size(), s.angularVelocity(type));
+}
+
+
+void Foam::rotationModels::clumpRotation::transpose
+(
+    const clumpType& type,
+    const clumpState& s,
+    const vectorField& fluidTorques,
+    vectorField& forces,
+    vectorField& torques
+) const
+{
+    // The torque accelerates the clump as a rigid body does
+    const tensor I(s.inertia(type));
+    const scalar scale = tr(I);
+    const vector alpha(inv(I/scale) & (sum(fluidTorques)/scale));
+    const point centre(s.centre(type));
+
+    forAll(forces, i)
+    {
+        forces[i] += type.masses()[i]*(alpha ^ (s.x[i] - centre));
+        torques[i] += type.inertias()[i]*alpha;
+    }
+}

@@ -56,7 +56,7 @@ int main(int argc, char* argv[])
     #include "createMesh.H"
 
     deformableCloud cells(mesh);
-    effects& active = cells.activeEffects();
+    sceneEffects& active = cells.effects();
     const accuracyPreset& accuracy = cells.accuracy();
     if (!cells.coupled())
     {

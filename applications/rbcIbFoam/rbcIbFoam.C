@@ -64,19 +64,19 @@ int main(int argc, char* argv[])
     #include "createDynamicFvMesh.H"
 
     deformableCloud cells(mesh);
-    effects& active = cells.activeEffects();
+    sceneEffects& active = cells.effects();
     const accuracyPreset& accuracy = cells.accuracy();
 
     // Function objects run in here
     const auto goesOn = [&]()
     {
-        const effects::timer t(active, "write");
+        const timeBreakdown::timer t(cells.timing(), "write");
         return runTime.run();
     };
 
     timeStepLimits(runTime.controlDict(), accuracy);
 
-    if (!cells.wet())
+    if (!cells.hasFluid())
     {
         const auto evolve = [&]() { cells.evolve(); };
         #include "clumpLoop.H"
@@ -101,7 +101,7 @@ int main(int argc, char* argv[])
     costEstimate estimate(runTime, cells, args.found("estimate"));
     estimate.outerCorrectors(piso.nCorrPIMPLE());
     #include "decideConvection.H"
-    active.printTable(Info);
+    active.print(Info);
     accuracy.print(Info, cells.mostSpheres(), cells.cellsPerDiameter());
 
     cells.startWithFlow(U, nu);
@@ -110,7 +110,7 @@ int main(int argc, char* argv[])
     while (goesOn())
     {
         accuracy.complete(mesh);
-        effects::timer checks(active, "checks");
+        timeBreakdown::timer checks(cells.timing(), "checks");
         #include "flowNumbers.H"
         #include "decideConvection.H"
         const scalar viscousLimit =
@@ -140,7 +140,7 @@ int main(int argc, char* argv[])
                 cells.iterate(U, p, nu);
             }
 
-            const effects::timer t(active, "flow");
+            const timeBreakdown::timer t(cells.timing(), "flow");
 
             #include "UEqn.H"
 
@@ -157,7 +157,7 @@ int main(int argc, char* argv[])
 
         cells.evolve(U, p, nu);
         {
-            const effects::timer t(active, "checks");
+            const timeBreakdown::timer t(cells.timing(), "checks");
             guard.check();
             guard.check(report.continuityError(), U, p, phi);
         }

@@ -363,7 +363,7 @@ TEST_CASE
 }
 
 
-TEST_CASE("boundary: the exchange's factor has a limit", "[boundary][exchange]")
+TEST_CASE("boundary: the factor on the coupling coefficient has a limit", "[boundary][coupling]")
 {
     // A flow that turns round in every pass, and grows
     testCloud t(point(10e-6, 10e-6, 10e-6));
@@ -391,7 +391,7 @@ TEST_CASE("boundary: the exchange's factor has a limit", "[boundary][exchange]")
         t.cloud().iterate(U, p, nu);
         for (const clumpParcel& parcel : t.cloud())
         {
-            largest = max(largest, parcel.state().exchange);
+            largest = max(largest, parcel.couplingFactor());
         }
     }
     reduce(largest, maxOp<scalar>());

@@ -4,30 +4,94 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
-#include "FlatOutput.H"
 
-namespace Foam
+void Foam::deformableCloud::immerse(const volScalarField& nu)
 {
-    defineTypeNameAndDebug(deformableCloud, 0);
+    for (clumpParcel& p : *this)
+    {
+        p.step().begin(p.state());
+        p.step().change = mesh_.time().deltaT0Value()*p.state().a;
+    }
+    updateGhosts();
+
+    const timeBreakdown::timer t(timing_, "solid fraction");
+    coupling_->boundary().update(ghosts_.images(), nu);
+    ghosts_.returnDilations();
+    impose();
 }
 
 
-const Foam::deformableCloud& Foam::deformableCloud::find
+void Foam::deformableCloud::impose()
+{
+    for (label i = 0; i < ghosts_.nOwn(); ++i)
+    {
+        clumpImage& image = ghosts_.images()[i];
+        image.dilation.removeFrom(image.u, image.omega);
+    }
+    ghosts_.updateVelocities();
+    coupling_->boundary().impose(ghosts_.images());
+}
+
+
+void Foam::deformableCloud::iterate
 (
-    const fvMesh& mesh,
-    const dictionary& dict
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
 )
 {
-    const word name(dict.getOrDefault<word>("cloud", "clumps"));
-    const auto* cloud = mesh.findObject<deformableCloud>(name);
-    if (!cloud)
+    gatherForces(U, p, nu);
+    solve(mesh_.time().deltaTValue());
+
+    // The clumps stay where the step began, with the velocities of its end
+    label index = 0;
+    for (clumpParcel& parcel : *this)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'cloud' is " << name << ", the clouds are "
-            << flatOutput(mesh.sortedNames<deformableCloud>())
-            << exit(FatalIOError);
+        clumpStep& step = parcel.step();
+        step.imposedU = step.end.u;
+        step.imposedW = step.end.w;
+
+        clumpState imposed(parcel.state());
+        imposed.u = step.imposedU;
+        imposed.w = step.imposedW;
+
+        clumpImage& image = ghosts_.images()[index++];
+        image.u = imposed.u;
+        coupling_->setRotation(image, imposed);
     }
-    return *cloud;
+
+    const timeBreakdown::timer t(timing_, "solid fraction");
+    impose();
+}
+
+
+void Foam::deformableCloud::gatherForces
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
+    const timeBreakdown::timer t(timing_, "force integral");
+
+    coupling_->integrate(U, p, nu, ghosts_.images());
+    ghosts_.returnForces();
+
+    label index = 0;
+    for (clumpParcel& parcel : *this)
+    {
+        coupling_->takeForces(parcel, ghosts_.images()[index++]);
+    }
+
+    if (coupling_->rotates())
+    {
+        const timeBreakdown::timer t(timing_, "rotation");
+        index = 0;
+        for (clumpParcel& parcel : *this)
+        {
+            coupling_->takeTorques(parcel, ghosts_.images()[index++]);
+        }
+    }
 }
 
 
@@ -38,393 +102,315 @@ void Foam::deformableCloud::evolve
     const volScalarField& nu
 )
 {
-    mu_ = rho_*gMax(nu.primitiveField());
     if (!coupled())
     {
-        const effects::timer t(effects_, "ghosts");
-        ghosts_.update(*this);
+        updateGhosts();
     }
     gatherForces(U, p, nu);
     decideEffects();
-    advance(mesh_.time().deltaTValue());
+    solve(mesh_.time().deltaTValue());
+
+    for (clumpParcel& parcel : *this)
+    {
+        parcel.accept();
+    }
 }
 
 
 void Foam::deformableCloud::evolve()
 {
-    {
-        const effects::timer t(effects_, "ghosts");
-        ghosts_.update(*this);
-    }
+    updateGhosts();
     decideEffects();
-    advance(mesh_.time().deltaTValue());
+    solve(mesh_.time().deltaTValue());
+
+    for (clumpParcel& parcel : *this)
+    {
+        parcel.accept();
+    }
 }
 
 
-Foam::integrator::externals Foam::deformableCloud::steadyForces
-(
-    const clumpParcel& parcel,
-    const clumpState& imposed,
-    const scalar dt
-) const
+void Foam::deformableCloud::solve(const scalar dt)
 {
-    const clumpType& ct = type(parcel);
-    const clumpState& s = parcel.state();
-    integrator::externals ext(ct.size());
-
-    if (effects_.active("gravity"))
-    {
-        const effects::timer t(effects_, "gravity");
-        ext.f +=
-        (
-            ct.masses() - rho_*ct.volumes()*ct.relativeVolume(s.x)
-        )*g_;
-    }
-
-    if (drag_.valid())
-    {
-        ext.f += parcel.fluidForces();
-        ext.zeta = oneWayDrag::resistance(ct, mu_);
-        ext.u0 = imposed.u;
-    }
-
-    if (coupled())
-    {
-        ext.f += parcel.fluidForces();
-        ext.t += parcel.fluidTorques();
-        couplingScheme_->coefficients
-        (
-            ct, s.exchange*mu_, rho_, dt, ext.zeta, ext.zetaR
-        );
-        ext.u0 = imposed.u;
-        ext.w0 = imposed.w;
-
-        if (immersedBoundary_->addsInteriorInertia())
-        {
-            ext.f += interiorForces(parcel, imposed, dt);
-            ext.t +=
-                0.4*rho_/dt*ct.volumes()*sqr(ct.radii())
-               *(imposed.w - s.w + mesh_.time().deltaT0Value()*s.b);
-        }
-    }
-
-    return ext;
-}
-
-
-Foam::vectorField Foam::deformableCloud::interiorForces
-(
-    const clumpParcel& parcel,
-    const clumpState& imposed,
-    const scalar dt
-) const
-{
-    // From the velocity the fluid inside had to the one it has
-    const clumpState& s = parcel.state();
-    return
-        rho_*type(parcel).volumes()/dt
-       *(imposed.u - s.u + mesh_.time().deltaT0Value()*s.a);
-}
-
-
-void Foam::deformableCloud::advance(const scalar dt)
-{
-    const label n = size();
     momentum_ = clumpMomentum();
-    List<integrator::externals> steady(n);
-
-    if (!coupled())
-    {
-        imposed_.setSize(n);
-    }
-
-    label index = 0;
-    for (const clumpParcel& parcel : *this)
+    for (clumpParcel& p : *this)
     {
         if (!coupled())
         {
-            imposed_[index] = parcel.state();
+            p.step().begin(p.state());
         }
-        steady[index] = steadyForces(parcel, imposed_[index], dt);
-        addMomentum(parcel, imposed_[index], dt);
-        ++index;
+        p.step().end = p.state();
+        setSteadyForces(p, dt);
     }
 
-    const bool touching = effects_.active("contact");
-    const label nSub = touching ? contactSubSteps(steady, dt) : 1;
+    const label nSub = subSteps(dt);
     const scalar h = dt/nSub;
-    List<Pair<vectorField>> before(n);
-    if (nSub > 1 && coupled())
-    {
-        index = 0;
-        for (const clumpParcel& parcel : *this)
-        {
-            before[index++] =
-                Pair<vectorField>(parcel.state().u, parcel.state().w);
-        }
-    }
 
     for (label sub = 0; sub < nSub; ++sub)
     {
-        List<integrator::externals> ext(steady);
+        for (clumpParcel& p : *this)
+        {
+            p.step().forces = p.step().steadyForces;
+        }
+        addLoads(mesh_.time().value() - dt + (sub + 1)*h);
+        addContacts();
+        addWalls();
 
-        if (loads_.size())
+        const timeBreakdown::timer t(timing_, "clumps");
+        for (clumpParcel& p : *this)
         {
-            addLoads(mesh_.time().value() - dt + (sub + 1)*h, ext);
-        }
-        if (touching)
-        {
-            const effects::timer t(effects_, "contact");
-            contactGhosts_.update(*this);
-            addContacts(ext);
-        }
-        if (effects_.active("walls"))
-        {
-            addWalls(ext);
-        }
-
-        const effects::timer t(effects_, "clumps");
-        index = 0;
-        for (clumpParcel& parcel : *this)
-        {
-            if (!type(parcel).fixed())
-            {
-                const pointField x0(parcel.state().x);
-                const vectorField u0(parcel.state().u);
-                if (before[index].first().size())
-                {
-                    moveInterior(parcel, before[index], h, dt, ext[index]);
-                }
-                integrator_->advance
-                (
-                    type(parcel), ext[index], h, parcel.state()
-                );
-                addMomentum
-                (
-                    type(parcel), ext[index], x0, u0, parcel.state(), h/dt
-                );
-            }
-            ++index;
+            advance(p, h, dt);
         }
     }
-
-    momentum_.rate /= dt;
-    momentum_.applied -= momentum_.fluid + momentum_.interior;
-    overshoots_ = false;
-    index = 0;
-    for (clumpParcel& parcel : *this)
-    {
-        clumpState& s = parcel.state();
-        const vectorField change(s.u - imposed_[index].u);
-        s.a = change/dt;
-        s.b = (s.w - imposed_[index].w)/dt;
-        if (coupled())
-        {
-            adaptExchange(parcel, index, change);
-        }
-        ++index;
-    }
+    endCorrector(dt);
 }
 
 
-void Foam::deformableCloud::moveInterior
+void Foam::deformableCloud::setSteadyForces
 (
-    const clumpParcel& parcel,
-    const Pair<vectorField>& before,
-    const scalar h,
-    const scalar dt,
-    integrator::externals& ext
-) const
-{
-    const clumpState& s = parcel.state();
-    scalarField zeta(ext.zeta), zetaR(ext.zetaR);
-    couplingScheme_->coefficients
-    (
-        type(parcel), s.exchange*mu_, rho_, h, zeta, zetaR
-    );
-
-    const auto move = [&]
-    (
-        const scalarField& z,       // of the sub-step
-        const vectorField& u,
-        const vectorField& u0,      // at the start of the step
-        scalarField& zeta,
-        vectorField& imposed,
-        vectorField& f
-    )
-    {
-        forAll(z, i)
-        {
-            if (z[i] <= 0)
-            {
-                continue;
-            }
-            const scalar m = (z[i] - zeta[i])/(1/h - 1/dt);
-            f[i] += m/dt*(imposed[i] - u0[i]);
-            imposed[i] = ((zeta[i] - m/dt)*imposed[i] + m/h*u[i])/z[i];
-            zeta[i] = z[i];
-        }
-    };
-    move(zeta, s.u, before.first(), ext.zeta, ext.u0, ext.f);
-    move(zetaR, s.w, before.second(), ext.zetaR, ext.w0, ext.t);
-}
-
-
-void Foam::deformableCloud::addMomentum
-(
-    const clumpParcel& parcel,
-    const clumpState& imposed,
+    clumpParcel& p,
     const scalar dt
 )
 {
-    if (!coupled())
+    const clumpType& ct = type(p);
+    externalForces& ext = p.step().steadyForces;
+    ext = externalForces(ct.size());
+
+    if (effects_.active("gravity"))
+    {
+        const timeBreakdown::timer t(timing_, "gravity");
+        const scalar rho = hasFluid() ? fluidDensity() : 0;
+        ext.f +=
+        (
+            ct.masses() - rho*ct.volumes()*ct.relativeVolume(p.state().x)
+        )*g_;
+    }
+    if (hasFluid())
+    {
+        coupling_->addForces(p, dt, ext);
+    }
+    if (coupled())
+    {
+        momentum_.addFluid(p, coupling_->interiorForces(p, dt));
+    }
+}
+
+
+Foam::label Foam::deformableCloud::subSteps(const scalar dt) const
+{
+    if (!effects_.active("contact"))
+    {
+        return 1;
+    }
+    UPtrList<const externalForces> forces(size());
+    label index = 0;
+    for (const clumpParcel& p : *this)
+    {
+        forces.set(index++, &p.step().steadyForces);
+    }
+    return contacts_.subSteps(ghosts_.images(), forces, dt);
+}
+
+
+void Foam::deformableCloud::addLoads(const scalar t)
+{
+    if (loads_.empty())
     {
         return;
     }
-    vector interior(Zero);
-    if (immersedBoundary_->addsInteriorInertia())
-    {
-        interior = sum(interiorForces(parcel, imposed, dt));
-    }
-    momentum_.fluid += sum(parcel.fluidForces());
-    momentum_.interior += interior;
-}
+    const timeBreakdown::timer clock(timing_, "loads");
 
-
-void Foam::deformableCloud::addMomentum
-(
-    const clumpType& type,
-    const integrator::externals& ext,
-    const pointField& x0,
-    const vectorField& u0,
-    const clumpState& end,
-    const scalar part
-)
-{
-    momentum_.rate += sum(type.masses()*(end.u - u0));
-    momentum_.exchange -= part*sum(ext.zeta*(end.u - ext.u0));
-    momentum_.applied += part*sum(ext.f - (ext.k & (end.x - x0)));
-}
-
-
-void Foam::deformableCloud::addLoads
-(
-    const scalar t,
-    List<integrator::externals>& ext
-) const
-{
-    const effects::timer clock(effects_, "loads");
-
-    label index = 0;
-    for (const clumpParcel& parcel : *this)
+    for (clumpParcel& p : *this)
     {
         for (const load& l : loads_)
         {
-            if (l.clumpType() == type(parcel).name())
+            if (l.clumpType() == type(p).name())
             {
-                l.add(t, parcel.centres(), ext[index]);
+                l.add(t, p.step().end.x + p.position(), p.step().forces);
             }
         }
-        ++index;
+    }
+}
+
+
+void Foam::deformableCloud::addContacts()
+{
+    if (!effects_.active("contact"))
+    {
+        return;
+    }
+    const timeBreakdown::timer t(timing_, "contact");
+
+    contactGhosts_.update(ownImages(true));
+    UList<clumpImage>& images = contactGhosts_.images();
+
+    label index = 0;
+    for (const clumpParcel& p : *this)
+    {
+        images[index++].force = p.step().forces.f;
+    }
+    contacts_.addForces(images, contactGhosts_.nOwn());
+    index = 0;
+    for (clumpParcel& p : *this)
+    {
+        p.step().forces.f = images[index++].force;
+    }
+}
+
+
+void Foam::deformableCloud::addWalls()
+{
+    if (!effects_.active("walls"))
+    {
+        return;
+    }
+    const timeBreakdown::timer t(timing_, "walls");
+
+    for (clumpParcel& p : *this)
+    {
+        walls_.addForces(p, p.step().forces);
+    }
+}
+
+
+void Foam::deformableCloud::advance
+(
+    clumpParcel& p,
+    const scalar h,
+    const scalar dt
+)
+{
+    const clumpType& ct = type(p);
+    if (ct.fixed())
+    {
+        return;
+    }
+    clumpState& end = p.step().end;
+    externalForces& ext = p.step().forces;
+    const pointField x0(end.x);
+    const vectorField u0(end.u);
+
+    if (hasFluid())
+    {
+        coupling_->divideInterior(p, h, dt, ext);
+    }
+    integrator_->advance(ct, ext, h, end);
+    momentum_.addStep(ct, ext, x0, u0, end, h/dt);
+}
+
+
+void Foam::deformableCloud::endCorrector(const scalar dt)
+{
+    momentum_.finish(dt);
+    for (clumpParcel& p : *this)
+    {
+        clumpStep& step = p.step();
+        step.end.a = (step.end.u - step.imposedU)/dt;
+        step.end.b = (step.end.w - step.imposedW)/dt;
+        if (coupled())
+        {
+            coupling_->adapt(p);
+        }
     }
 }
 
 
 void Foam::deformableCloud::moveParcels()
 {
-    const effects::timer t(effects_, "clumps");
+    const timeBreakdown::timer t(timing_, "clumps");
 
     if (coupled())
     {
-        label nRaised = 0;
-        for (const bool raised : raised_)
-        {
-            nRaised += raised ? 1 : 0;
-        }
-        reportExchange(returnReduce(nRaised, sumOp<label>()));
+        coupling_->report(*this, nClumps_);
     }
 
-    for (clumpParcel& parcel : *this)
+    for (clumpParcel& p : *this)
     {
-        parcel.recentre(type(parcel));
+        p.recentre(type(p));
     }
-
     clumpParcel::trackingData td(*this);
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
 
     nClumps_ = returnReduce(size(), sumOp<label>());
-    effects_.endStep();
-}
-
-
-Foam::scalar Foam::deformableCloud::maxSpeed() const
-{
-    scalar result = 0;
-    for (const clumpParcel& p : *this)
-    {
-        result = max(result, max(mag(p.state().u)));
-    }
-    return returnReduce(result, maxOp<scalar>());
-}
-
-
-Foam::label Foam::deformableCloud::mostSpheres() const
-{
-    label result = 0;
-    for (const clumpType& type : types_)
-    {
-        result = max(result, type.size());
-    }
-    return result;
-}
-
-
-Foam::scalar Foam::deformableCloud::cellsPerDiameter() const
-{
-    scalar result = GREAT;
-    for (const clumpParcel& p : *this)
-    {
-        result = min
-        (
-            result, 2*min(type(p).radii())/cbrt(mesh_.V()[p.cell()])
-        );
-    }
-    return returnReduce(result, minOp<scalar>());
-}
-
-
-Foam::scalar Foam::deformableCloud::maxStrokeRate() const
-{
-    scalar result = 0;
-    for (const clumpParcel& p : *this)
-    {
-        result = max(result, max(mag(p.state().u)/type(p).radii()));
-    }
-    return returnReduce(result, maxOp<scalar>());
-}
-
-
-void Foam::deformableCloud::writeFields() const
-{
-    clumpParcel::writeFields(*this);
-}
-
-
-void Foam::deformableCloud::writeObjects(objectRegistry& obr) const
-{
-    IOField<label>& typeIds(cloud::createIOField<label>("typeId", size(), obr));
-    IOField<vector>& U(cloud::createIOField<vector>("U", size(), obr));
-    IOField<point>& position
+    timing_.endStep
     (
-        cloud::createIOField<point>("position", size(), obr)
+        [&](const char* part) { return effects_.takesPart(part); }
     );
+}
 
-    label i = 0;
+
+Foam::List<Foam::clumpImage> Foam::deformableCloud::ownImages
+(
+    const bool atEnd
+) const
+{
+    List<clumpImage> images(size());
+    label index = 0;
     for (const clumpParcel& p : *this)
     {
-        typeIds[i] = p.typeId();
-        U[i] = p.state().velocity(type(p));
-        position[i] = p.centre(type(p));
-        ++i;
+        const clumpState& s = atEnd ? p.step().end : p.state();
+        images[index] = clumpImage(p, type(p), s, index);
+        ++index;
     }
+    return images;
+}
+
+
+void Foam::deformableCloud::updateGhosts()
+{
+    const timeBreakdown::timer t(timing_, "ghosts");
+
+    List<clumpImage> images(ownImages(false));
+    if (coupled())
+    {
+        label index = 0;
+        for (const clumpParcel& p : *this)
+        {
+            coupling_->setRotation(images[index++], p.state());
+        }
+    }
+    ghosts_.update(images);
+}
+
+
+void Foam::deformableCloud::startWithFlow
+(
+    const volVectorField& U,
+    const volScalarField& nu
+)
+{
+    if (!coupled() || returnReduce(followFlow_.empty(), andOp<bool>()))
+    {
+        return;
+    }
+    updateGhosts();
+    coupling_->boundary().update(ghosts_.images(), nu);
+    coupling_->boundary().sampleVelocity(U, ghosts_.images());
+    ghosts_.returnForces();
+
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        const clumpImage& image = ghosts_.images()[index++];
+        if (followFlow_.found(p.origId()) && !type(p).fixed())
+        {
+            coupling_->followFlow(p, image);
+        }
+    }
+    followFlow_.clear();
+}
+
+
+void Foam::deformableCloud::prepareMeshChange()
+{
+    updateGhosts();
+    coupling_->boundary().setCloseness(ghosts_.images());
+    storeGlobalPositions();
+}
+
+
+void Foam::deformableCloud::meshChanged()
+{
+    coupling_->boundary().meshChanged();
+    walls_.clear();
 }

@@ -4,11 +4,18 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpFields.H"
+#include "FlatOutput.H"
 #include "IOdictionary.H"
+#include "OSspecific.H"
 #include "placement.H"
 #include "treeDataCell.H"
 #include "uniformDimensionedFields.H"
-#include "OSspecific.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(deformableCloud, 0);
+}
 
 namespace
 {
@@ -56,22 +63,14 @@ Foam::deformableCloud::deformableCloud
     mesh_(mesh),
     accuracy_(dict),
     dict_(accuracy_.completed(dict)),
+    g_(Zero),
     effects_(dict_),
     ghosts_(mesh),
     contactGhosts_(mesh),
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
-    contactModel_(selectModel<contactModel>(getDict(dict_, "contactModel"))),
-    wallContactModel_
-    (
-        selectModel<wallContactModel>(getDict(dict_, "wallContactModel"))
-    ),
-    rho_(0),
-    mu_(0),
-    overshoots_(false),
-    g_(Zero),
-    nClumps_(0),
-    wallClearance_(0),
-    wallsOf_(-1)
+    contacts_(types_, dict_),
+    walls_(mesh, types_, dict_),
+    nClumps_(0)
 {
     // Other entries of the file are the user's own, to be referred to
     refuseMisspelt
@@ -83,59 +82,28 @@ Foam::deformableCloud::deformableCloud
             "immersedBoundary", "accuracy"
         }
     );
-    decideOnce();
+    effects_.decide(dict_, mesh);
     readTypes();
     readLoads();
+    readGravity();
 
-    g_ = uniformDimensionedVectorField
-    (
-        IOobject("g", mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT),
-        dimensionedVector(dimAcceleration, Zero)
-    ).value();
-
-    if (wet())
+    if (effects_.active("fluid"))
     {
-        const IOdictionary fluid
+        coupling_.reset
         (
-            IOobject
+            new fluidCoupling
             (
-                "transportProperties", mesh.time().constant(), mesh,
-                IOobject::MUST_READ, IOobject::NO_WRITE, false
+                mesh, types_, dict_,
+                effects_.active("feedback"),
+                effects_.active("rotation"),
+                effects_.frozen()
             )
         );
-        rho_ = getPositive(fluid, "rho", dimDensity);
-        if (fluid.found("nu"))
-        {
-            // The viscosity models take any sign
-            getPositive(fluid, "nu", dimViscosity);
-        }
-
-    }
-
-    if (effects_.active("feedback"))
-    {
-        if (effects_.active("rotation"))
-        {
-            rotationModel_ =
-                selectModel<rotationModel>(getDict(dict_, "rotation"));
-        }
-        couplingScheme_ = selectModel<couplingScheme>(getDict(dict_, "exchange"));
-        immersedBoundary_.reset
-        (
-            new immersedBoundary
-            (
-                mesh, types_, getDict(dict_, "immersedBoundary")
-            )
-        );
-    }
-    else if (wet())
-    {
-        drag_.reset(new oneWayDrag(types_));
     }
 
     nClumps_ = returnReduce(size(), sumOp<label>());
-    const bool placed = !nClumps_;
-    if (nClumps_)
+    const bool restarts = nClumps_ > 0;
+    if (restarts)
     {
         restart();
     }
@@ -145,16 +113,51 @@ Foam::deformableCloud::deformableCloud
     }
     reportFractions();
 
-    ghosts_.update(*this);
-    if (placed)
+    updateGhosts();
+    if (!restarts && contacts_.active() && effects_.active("contact"))
     {
-        checkOverlaps(getDict(dict_, "placement"));
+        contacts_.refuseOverlaps
+        (
+            ghosts_.images(), ghosts_.nOwn(), getDict(dict_, "placement")
+        );
     }
     if (coupled())
     {
-        immersedBoundary_->checkResolution(ghosts_.images());
+        coupling_->boundary().checkResolution(ghosts_.images());
     }
     decideEffects();
+}
+
+
+const Foam::deformableCloud& Foam::deformableCloud::find
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    const word name(dict.getOrDefault<word>("cloud", "clumps"));
+    const auto* cloud = mesh.findObject<deformableCloud>(name);
+    if (!cloud)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'cloud' is " << name << ", the clouds are "
+            << flatOutput(mesh.sortedNames<deformableCloud>())
+            << exit(FatalIOError);
+    }
+    return *cloud;
+}
+
+
+void Foam::deformableCloud::readGravity()
+{
+    g_ = uniformDimensionedVectorField
+    (
+        IOobject
+        (
+            "g", mesh_.time().constant(), mesh_, IOobject::READ_IF_PRESENT
+        ),
+        dimensionedVector(dimAcceleration, Zero)
+    ).value();
 }
 
 
@@ -249,7 +252,7 @@ void Foam::deformableCloud::reportFractions() const
 
 void Foam::deformableCloud::restart()
 {
-    clumpParcel::readFields(*this);
+    clumpFields::read(*this, types_);
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
     if (!isFile(mesh_.time().timePath()/"uniform"/"time"))
@@ -262,57 +265,12 @@ void Foam::deformableCloud::restart()
             }
         }
     }
-
-    // A number stands for one clump, on all processors
-    List<labelPairList> ids(Pstream::nProcs());
-    labelPairList& mine = ids[Pstream::myProcNo()];
-    for (const clumpParcel& p : *this)
-    {
-        mine.append(labelPair(p.origProc(), p.origId()));
-    }
-    Pstream::gatherList(ids);
-
-    HashSet<labelPair, Hash<labelPair>> seen;
-    for (const labelPairList& part : ids)
-    {
-        for (const labelPair& id : part)
-        {
-            if (!seen.insert(id))
-            {
-                FatalErrorInFunction
-                    << fieldIOobject("origId", IOobject::NO_READ).objectPath()
-                    << ": two clumps have the number " << id.second()
-                    << " (origProcId " << id.first() << ')'
-                    << exit(FatalError);
-            }
-        }
-    }
 }
 
 
 void Foam::deformableCloud::place()
 {
-    const IOobject written(fieldIOobject("typeId", IOobject::NO_READ));
-    if (returnReduce(isFile(written.objectPath()), orOp<bool>()))
-    {
-        FatalErrorInFunction
-            << written.path() << " holds clumps, but their places,"
-            << " coordinates, are missing or cannot be read" << exit(FatalError);
-    }
-
-    // A run that had clumps wrote both; after setClumps there is no state
-    const fileName uniform(mesh_.time().timePath()/"uniform");
-    const bool had =
-        isFile(uniform/"time")
-     && isFile(uniform/cloud::prefix/name()/"cloudProperties");
-    if (returnReduce(had, orOp<bool>()))
-    {
-        FatalErrorInFunction
-            << "The run that wrote " << mesh_.time().timePath()
-            << " had clumps, but " << written.path() << " holds none." << nl
-            << "    To place them anew, remove " << uniform/cloud::prefix
-            << exit(FatalError);
-    }
+    clumpFields::refuseRemains(*this);
 
     const dictionary& dict = getDict(dict_, "placement");
     const placement start(dict, types_, typeIds_);

@@ -3,7 +3,8 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "deformableCloud.H"
+#include "clumpParcel.H"
+#include "Cloud.H"
 
 namespace Foam
 {
@@ -26,6 +27,8 @@ Foam::clumpParcel::clumpParcel
     state_(state),
     fluidForces_(state.x.size(), Zero),
     fluidTorques_(state.x.size(), Zero),
+    couplingFactor_(1),
+    overshoots_(0),
     displacement_(Zero),
     target_(position)
 {}
@@ -39,33 +42,41 @@ void Foam::clumpParcel::recentre(const clumpType& type)
 }
 
 
-bool Foam::clumpParcel::move
+Foam::clumpParcel::clumpParcel
 (
-    deformableCloud& cloud,
-    trackingData& td,
-    const scalar
+    const polyMesh& mesh,
+    Istream& is,
+    bool readFields,
+    bool newFormat
 )
+:
+    particle(mesh, is, readFields, newFormat),
+    typeId_(-1),
+    couplingFactor_(1),
+    overshoots_(0),
+    displacement_(Zero),
+    target_(Zero)
 {
-    td.switchProcessor = false;
-    td.keepParticle = true;
-
-    while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
+    if (readFields)
     {
-        const scalar f = 1 - stepFraction();
-        trackToAndHitFace(f*displacement_, f, cloud, td);
+        is  >> typeId_ >> displacement_ >> target_ >> state_
+            >> fluidForces_ >> fluidTorques_ >> couplingFactor_ >> overshoots_;
     }
-
-    if (td.keepParticle && !td.switchProcessor)
-    {
-        state_.x += target_ - position();
-    }
-
-    return td.keepParticle;
+    is.check(FUNCTION_NAME);
 }
 
 
-void Foam::clumpParcel::hitWallPatch(deformableCloud&, trackingData&)
+Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
 {
-    const vector n(normal());
-    displacement_ -= max(displacement_ & n, scalar(0))*n;
+    os  << static_cast<const particle&>(p)
+        << token::SPACE << p.typeId_
+        << token::SPACE << p.displacement_
+        << token::SPACE << p.target_
+        << token::SPACE << p.state_
+        << token::SPACE << p.fluidForces_
+        << token::SPACE << p.fluidTorques_
+        << token::SPACE << p.couplingFactor_
+        << token::SPACE << p.overshoots_;
+    os.check(FUNCTION_NAME);
+    return os;
 }

@@ -105,8 +105,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 {
     os  << s.x << token::SPACE << s.u << token::SPACE << s.q << token::SPACE
         << s.w << token::SPACE << s.n << token::SPACE << s.m << token::SPACE
-        << s.a << token::SPACE << s.b << token::SPACE << s.broken
-        << token::SPACE << s.exchange << token::SPACE << s.overshoots;
+        << s.a << token::SPACE << s.b << token::SPACE << s.broken;
     os.check(FUNCTION_NAME);
     return os;
 }
@@ -114,8 +113,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpState& s)
 {
-    is >> s.x >> s.u >> s.q >> s.w >> s.n >> s.m >> s.a >> s.b >> s.broken
-       >> s.exchange >> s.overshoots;
+    is >> s.x >> s.u >> s.q >> s.w >> s.n >> s.m >> s.a >> s.b >> s.broken;
     is.check(FUNCTION_NAME);
     return is;
 }

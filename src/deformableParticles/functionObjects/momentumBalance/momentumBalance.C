@@ -166,7 +166,7 @@ bool Foam::functionObjects::momentumBalance::write()
 
     const scalar rho = cloud.fluidDensity();
     const auto& U = mesh_.lookupObject<volVectorField>("U");
-    const bool convection = cloud.activeEffects().active("convection");
+    const bool convection = cloud.effects().active("convection");
 
     scalar onSpheres = 0;
     for (const clumpParcel& p : cloud)

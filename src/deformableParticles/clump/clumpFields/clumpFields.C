@@ -3,45 +3,12 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "deformableCloud.H"
+#include "clumpFields.H"
+#include "Cloud.H"
 #include "compactFieldReader.H"
-
-Foam::clumpParcel::clumpParcel
-(
-    const polyMesh& mesh,
-    Istream& is,
-    bool readFields,
-    bool newFormat
-)
-:
-    particle(mesh, is, readFields, newFormat),
-    typeId_(-1),
-    displacement_(Zero),
-    target_(Zero)
-{
-    if (readFields)
-    {
-        is  >> typeId_ >> displacement_ >> target_ >> state_
-            >> fluidForces_
-            >> fluidTorques_;
-    }
-    is.check(FUNCTION_NAME);
-}
-
-
-Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
-{
-    os  << static_cast<const particle&>(p)
-        << token::SPACE << p.typeId_
-        << token::SPACE << p.displacement_
-        << token::SPACE << p.target_
-        << token::SPACE << p.state_
-        << token::SPACE << p.fluidForces_
-        << token::SPACE << p.fluidTorques_;
-    os.check(FUNCTION_NAME);
-    return os;
-}
-
+#include "HashSet.H"
+#include "labelPair.H"
+#include "OSspecific.H"
 
 namespace
 {
@@ -194,7 +161,66 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 }
 
 
-void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
+void Foam::clumpFields::checkNumbers(const Cloud<clumpParcel>& c)
+{
+    List<labelPairList> ids(Pstream::nProcs());
+    labelPairList& mine = ids[Pstream::myProcNo()];
+    for (const clumpParcel& p : c)
+    {
+        mine.append(labelPair(p.origProc(), p.origId()));
+    }
+    Pstream::gatherList(ids);
+
+    HashSet<labelPair, Hash<labelPair>> seen;
+    for (const labelPairList& part : ids)
+    {
+        for (const labelPair& id : part)
+        {
+            if (!seen.insert(id))
+            {
+                FatalErrorInFunction
+                    << c.fieldIOobject("origId", IOobject::NO_READ).objectPath()
+                    << ": two clumps have the number " << id.second()
+                    << " (origProcId " << id.first() << ')'
+                    << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+void Foam::clumpFields::refuseRemains(const Cloud<clumpParcel>& c)
+{
+    const Time& time = c.time();
+    const IOobject written(c.fieldIOobject("typeId", IOobject::NO_READ));
+    if (returnReduce(isFile(written.objectPath()), orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << written.path() << " holds clumps, but the file coordinates, their"
+            << " positions, is missing or cannot be read" << exit(FatalError);
+    }
+
+    // A run that had clumps wrote both; after setClumps there is no state
+    const fileName uniform(time.timePath()/"uniform");
+    const bool had =
+        isFile(uniform/"time")
+     && isFile(uniform/cloud::prefix/c.name()/"cloudProperties");
+    if (returnReduce(had, orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The run that wrote " << time.timePath()
+            << " had clumps, but " << written.path() << " holds none." << nl
+            << "    To place them anew, remove " << uniform/cloud::prefix
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::clumpFields::read
+(
+    Cloud<clumpParcel>& c,
+    const PtrList<clumpType>& types
+)
 {
     // What is too large for the machine becomes infinite, and is refused here
     const anyNumber overflow;
@@ -211,30 +237,29 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
     particle::readFields(c);
 
     // At rest first: the lists of a type have their lengths
-    const auto& cloud = dynamic_cast<const deformableCloud&>(c);
     const labelField typeIds(readValues<label>(c, "typeId"));
-    const scalarField exchange(readValues<scalar>(c, "exchangeFactor"));
-    const labelField overshoots(readValues<label>(c, "exchangeOvershoots"));
+    const scalarField factors(readValues<scalar>(c, "couplingFactor"));
+    const labelField overshoots(readValues<label>(c, "couplingOvershoots"));
     i = 0;
     for (clumpParcel& p : c)
     {
         p.typeId_ = typeIds[i];
-        if (p.typeId_ < 0 || p.typeId_ >= cloud.types().size())
+        if (p.typeId_ < 0 || p.typeId_ >= types.size())
         {
             refuse
             (
                 c, "typeId", p,
                 "has the type " + Foam::name(p.typeId_) + ", the types are 0 to "
-              + Foam::name(cloud.types().size() - 1)
+              + Foam::name(types.size() - 1)
             );
         }
-        p.state_ = clumpState(cloud.type(p));
-        p.state_.exchange = exchange[i];
-        p.state_.overshoots = overshoots[i];
+        p.state_ = clumpState(types[p.typeId_]);
+        p.couplingFactor_ = factors[i];
+        p.overshoots_ = overshoots[i];
         ++i;
-        if (!(physical(p.state_.exchange) && p.state_.exchange >= 1))
+        if (!(physical(p.couplingFactor_) && p.couplingFactor_ >= 1))
         {
-            refuse(c, "exchangeFactor", p, "has a factor that is not 1 or above");
+            refuse(c, "couplingFactor", p, "has a factor that is not 1 or above");
         }
         p.fluidForces_ = vectorField(p.state_.x.size(), Zero);
         p.fluidTorques_ = p.fluidForces_;
@@ -303,10 +328,16 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
             }
         }
     }
+
+    checkNumbers(c);
 }
 
 
-void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
+void Foam::clumpFields::write
+(
+    const Cloud<clumpParcel>& c,
+    const PtrList<clumpType>& types
+)
 {
     particle::writeFields(c);
 
@@ -317,28 +348,27 @@ void Foam::clumpParcel::writeFields(const Cloud<clumpParcel>& c)
         c.fieldIOobject("typeId", IOobject::NO_READ), c.size()
     );
     IOField<vector> U(c.fieldIOobject("U", IOobject::NO_READ), c.size());
-    IOField<scalar> exchange
+    IOField<scalar> factors
     (
-        c.fieldIOobject("exchangeFactor", IOobject::NO_READ), c.size()
+        c.fieldIOobject("couplingFactor", IOobject::NO_READ), c.size()
     );
     IOField<label> overshoots
     (
-        c.fieldIOobject("exchangeOvershoots", IOobject::NO_READ), c.size()
+        c.fieldIOobject("couplingOvershoots", IOobject::NO_READ), c.size()
     );
 
-    const auto& cloud = dynamic_cast<const deformableCloud&>(c);
     label i = 0;
     for (const clumpParcel& p : c)
     {
         typeIds[i] = p.typeId_;
-        U[i] = p.state_.velocity(cloud.type(p));
-        exchange[i] = p.state_.exchange;
-        overshoots[i] = p.state_.overshoots;
+        U[i] = p.state_.velocity(types[p.typeId_]);
+        factors[i] = p.couplingFactor_;
+        overshoots[i] = p.overshoots_;
         ++i;
     }
     writeFile(typeIds, valid);
     writeFile(U, valid);
-    writeFile(exchange, valid);
+    writeFile(factors, valid);
     writeFile(overshoots, valid);
 
     writeLists<vector>

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ghostExchange.H"
-#include "deformableCloud.H"
 #include "cyclicPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
 #include "IPstream.H"
@@ -244,43 +243,16 @@ void Foam::ghostExchange::appendImages
 }
 
 
-void Foam::ghostExchange::update(const deformableCloud& cloud)
+void Foam::ghostExchange::update(const UList<clumpImage>& own)
 {
-    images_.clear();
-
-    scalar reach = 0;
-    label index = 0;
-
-    for (const clumpParcel& p : cloud)
-    {
-        const clumpType& type = cloud.type(p);
-
-        images_.append(clumpImage());
-        clumpImage& image = images_.last();
-        image.owner = Pstream::myProcNo();
-        image.index = index++;
-        image.original = true;
-        image.typeId = p.typeId();
-        image.id = labelPair(p.origProc(), p.origId());
-        image.shift = Zero;
-        image.x = p.centres();
-        image.u = p.state().u;
-        image.omega = cloud.imposedAngularVelocities(type, p.state());
-        image.box = boundBox();
-        forAll(image.x, i)
-        {
-            image.box.add(image.x[i] - type.radii()[i]*vector::one);
-            image.box.add(image.x[i] + type.radii()[i]*vector::one);
-        }
-        image.clearSums();
-
-        const point centre(p.position());
-        reach = max(reach, cmptMax(image.box.max() - centre));
-        reach = max(reach, cmptMax(centre - image.box.min()));
-    }
-
+    images_ = own;
     nOwn_ = images_.size();
 
+    scalar reach = 0;
+    for (const clumpImage& image : images_)
+    {
+        reach = max(reach, image.reach);
+    }
     reduce(reach, maxOp<scalar>());
     if (reach > reach_)
     {
@@ -308,8 +280,8 @@ void Foam::ghostExchange::update(const deformableCloud& cloud)
 
     for (label i = 0; i < nOwn_; ++i)
     {
-        const clumpImage own(images_[i]);
-        appendImages(own, Pstream::myProcNo(), images_);
+        const clumpImage original(images_[i]);
+        appendImages(original, Pstream::myProcNo(), images_);
     }
 
     for (const label proci : neighbours_)

@@ -1,0 +1,251 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "sceneEffects.H"
+#include "checkedEntries.H"
+#include "fvMesh.H"
+#include "HashTable.H"
+#include "IOdictionary.H"
+#include <cstring>
+
+Foam::sceneEffects::sceneEffects(const dictionary& clumpProperties)
+:
+    announce_(false),
+    frozen_(false)
+{
+    const char* const names[] =
+    {
+        "fluid", "feedback", "convection", "refinement", "gravity", "rotation",
+        "loads", "damping", "conservation", "contact", "walls"
+    };
+    for (const char* name : names)
+    {
+        effects_.append({name, choice::automatic, true, ""});
+    }
+    if (clumpProperties.found("effects"))
+    {
+        readChoices(getDict(clumpProperties, "effects"));
+    }
+}
+
+
+void Foam::sceneEffects::readChoices(const dictionary& chosen)
+{
+    HashTable<label> valid;
+    for (const effect& e : effects_)
+    {
+        valid.insert(e.name, 0);
+    }
+
+    for (const word& name : chosen.toc())
+    {
+        if (!valid.found(name))
+        {
+            FatalIOErrorInLookup(chosen, "effect", name, valid)
+                << exit(FatalIOError);
+        }
+
+        const word value(chosen.get<word>(name));
+        HashTable<label> choices({{"off", 0}, {"on", 1}, {"auto", 2}});
+        if (name == "fluid")
+        {
+            choices.insert("frozen", 1);
+            frozen_ = value == "frozen";
+        }
+        if (!choices.found(value))
+        {
+            FatalIOErrorInLookup(chosen, name, value, choices)
+                << exit(FatalIOError);
+        }
+
+        effect& e = const_cast<effect&>(find(name.c_str()));
+        e.chosen = choice(choices[value]);
+        if (e.chosen != choice::automatic)
+        {
+            e.active = e.chosen == choice::on;
+            e.reason = "set by the user";
+        }
+    }
+}
+
+
+void Foam::sceneEffects::decide
+(
+    const dictionary& clumpProperties,
+    const fvMesh& mesh
+)
+{
+    decideFluid(clumpProperties, mesh);
+
+    const bool loads = clumpProperties.found("loads");
+    decide
+    (
+        "loads",
+        loads && getDict(clumpProperties, "loads").size(),
+        loads ? "loads in clumpProperties" : "no loads"
+    );
+
+    const dictionary& types = getDict(clumpProperties, "types");
+    decideForModel("damping", types, "dampingModel");
+    decideForModel("conservation", types, "conservationModel");
+}
+
+
+void Foam::sceneEffects::decideFluid
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    if (automatic("fluid"))
+    {
+        const bool found = IOobject
+        (
+            "transportProperties", mesh.time().constant(), mesh
+        ).typeHeaderOk<IOdictionary>(false);
+
+        decide
+        (
+            "fluid",
+            found,
+            found
+          ? "constant/transportProperties is there"
+          : "no constant/transportProperties"
+        );
+    }
+
+    const bool flows = active("fluid") && !frozen_;
+    const string still(active("fluid") ? "the flow is frozen" : "no fluid");
+    decide
+    (
+        "feedback", flows, flows ? "the fluid flows around the clumps" : still
+    );
+    if (!flows && active("feedback"))
+    {
+        FatalIOErrorInFunction(getDict(dict, "effects"))
+            << "Entry 'effects': feedback is on, but " << still.c_str()
+            << exit(FatalIOError);
+    }
+    if (!flows)
+    {
+        decide("convection", false, still);
+    }
+    decide
+    (
+        "refinement",
+        flows && mesh.dynamic(),
+        mesh.dynamic() ? "dynamic mesh" : "static mesh"
+    );
+
+    if (!active("feedback"))
+    {
+        decide("rotation", false, "the fluid does not feel the clumps");
+    }
+    else if (automatic("rotation"))
+    {
+        const word model(getDict(dict, "rotation").get<word>("type"));
+        decide("rotation", model != "none", model);
+    }
+}
+
+
+void Foam::sceneEffects::decideForModel
+(
+    const char* name,
+    const dictionary& types,
+    const word& family
+)
+{
+    for (const word& typeName : types.toc())
+    {
+        const dictionary& type = getDict(types, typeName);
+        const dictionary list(type.subOrEmptyDict(family + 's'));
+        word models
+        (
+            type.subOrEmptyDict(family).getOrDefault<word>("type", "none")
+        );
+        for (const word& entry : list.toc())
+        {
+            const word model
+            (
+                list.subOrEmptyDict(entry).getOrDefault<word>("type", "none")
+            );
+            models =
+                models == "none" ? model : word(models + ", " + model, false);
+        }
+        if (models != "none")
+        {
+            decide(name, true, typeName + " has " + models);
+            return;
+        }
+    }
+    decide(name, false, "no " + family);
+}
+
+
+const Foam::sceneEffects::effect* Foam::sceneEffects::lookup
+(
+    const char* name
+) const
+{
+    for (const effect& e : effects_)
+    {
+        if (!std::strcmp(e.name, name))
+        {
+            return &e;
+        }
+    }
+    return nullptr;
+}
+
+
+const Foam::sceneEffects::effect& Foam::sceneEffects::find
+(
+    const char* name
+) const
+{
+    const effect* e = lookup(name);
+    if (!e)
+    {
+        FatalErrorInFunction << "No effect " << name << exit(FatalError);
+    }
+    return *e;
+}
+
+
+void Foam::sceneEffects::decide
+(
+    const char* name,
+    const bool on,
+    const string& reason
+)
+{
+    effect& e = const_cast<effect&>(find(name));
+
+    if (e.chosen != choice::automatic)
+    {
+        return;
+    }
+    if (announce_ && e.active != on)
+    {
+        Info<< "Effect " << name << ": now " << (on ? "on" : "off") << ", "
+            << reason.c_str() << endl;
+    }
+    e.active = on;
+    e.reason = reason;
+}
+
+
+void Foam::sceneEffects::print(Ostream& os)
+{
+    os  << nl << "Effects" << nl;
+    for (const effect& e : effects_)
+    {
+        os  << "    " << e.name << ": " << (e.active ? "on" : "off")
+            << ", " << e.reason.c_str() << nl;
+    }
+    os  << endl;
+    announce_ = true;
+}

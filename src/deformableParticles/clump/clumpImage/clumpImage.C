@@ -1,0 +1,56 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpImage.H"
+
+Foam::clumpImage::clumpImage
+(
+    const clumpParcel& p,
+    const clumpType& type,
+    const clumpState& s,
+    const label parcelIndex
+)
+:
+    owner(Pstream::myProcNo()),
+    index(parcelIndex),
+    original(true),
+    typeId(p.typeId()),
+    id(p.origProc(), p.origId()),
+    x(s.x + p.position()),
+    u(s.u),
+    omega(s.u.size(), Zero)
+{
+    forAll(x, i)
+    {
+        box.add(x[i] - type.radii()[i]*vector::one);
+        box.add(x[i] + type.radii()[i]*vector::one);
+    }
+    const point centre(p.position());
+    reach = max
+    (
+        cmptMax(box.max() - centre), cmptMax(centre - box.min())
+    );
+    clearSums();
+}
+
+
+Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
+{
+    return os
+        << i.owner << token::SPACE << i.index << token::SPACE
+        << i.typeId << token::SPACE << i.id << token::SPACE << i.shift
+        << token::SPACE << i.x << token::SPACE << i.u << token::SPACE
+        << i.omega << token::SPACE << i.box;
+}
+
+
+Foam::Istream& Foam::operator>>(Istream& is, clumpImage& i)
+{
+    is  >> i.owner >> i.index >> i.typeId >> i.id >> i.shift >> i.x >> i.u
+        >> i.omega >> i.box;
+    i.original = false;
+    i.clearSums();
+    return is;
+}

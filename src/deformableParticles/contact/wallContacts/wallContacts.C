@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "wallContacts.H"
+#include "contactShares.H"
+#include "StringStream.H"
+
+Foam::wallContacts::wallContacts
+(
+    const polyMesh& mesh,
+    const PtrList<clumpType>& types,
+    const dictionary& clumpProperties
+)
+:
+    mesh_(mesh),
+    types_(types),
+    law_
+    (
+        selectModel<wallContactModel>
+        (
+            getDict(clumpProperties, "wallContactModel")
+        )
+    ),
+    neighbourhood_(-1),
+    gap_(GREAT),
+    radius_(0),
+    clearance_(0)
+{}
+
+
+void Foam::wallContacts::update(const ghostExchange& ghosts)
+{
+    // Walls of the neighbouring processors belong to it
+    if (neighbourhood_ != ghosts.neighbourhood())
+    {
+        neighbourhood_ = ghosts.neighbourhood();
+        clear();
+    }
+    if (!walls_.valid())
+    {
+        walls_.reset(new wallSurface(mesh_, ghosts));
+    }
+}
+
+
+void Foam::wallContacts::clear()
+{
+    walls_.clear();
+    clearance_ = 0;
+}
+
+
+bool Foam::wallContacts::gapMeasured
+(
+    const Cloud<clumpParcel>& clumps,
+    const scalar displacement
+)
+{
+    clearance_ -= displacement;
+    if (clearance_ > 0)
+    {
+        return false;
+    }
+    measureGap(clumps);
+    clearance_ = near() ? 0 : gap_ - 0.5*radius_;
+    return true;
+}
+
+
+void Foam::wallContacts::measureGap(const Cloud<clumpParcel>& clumps)
+{
+    gap_ = GREAT;
+    radius_ = 0;
+    for (const clumpParcel& p : clumps)
+    {
+        const clumpType& type = types_[p.typeId()];
+        if (type.fixed())
+        {
+            continue;
+        }
+        const pointField centres(p.centres());
+        forAll(centres, i)
+        {
+            const scalar r = type.radii()[i];
+            gap_ = min(gap_, walls_->distance(centres[i], 100*r) - r);
+            radius_ = max(radius_, r);
+        }
+    }
+    reduce(gap_, minOp<scalar>());
+    reduce(radius_, maxOp<scalar>());
+}
+
+
+Foam::string Foam::wallContacts::gap() const
+{
+    if (gap_ > 98*radius_)
+    {
+        return "none near";
+    }
+
+    // Two digits: the number is for people
+    OStringStream os;
+    os.precision(2);
+    os << "nearest " << 1e6*gap_ << " um";
+    return os.str();
+}
+
+
+void Foam::wallContacts::addForces
+(
+    const clumpParcel& p,
+    externalForces& ext
+) const
+{
+    const clumpType& type = types_[p.typeId()];
+    const scalarField& r = type.radii();
+    const clumpState& s = p.step().end;
+    const pointField x(s.x + p.position());
+
+    for (const auto& c : contactShares::ofWalls(*walls_, x, r))
+    {
+        const vector& n = c.wall.normal;
+        ext.f[c.i] += c.share*n*law_->force
+        (
+            c.depth,
+            -(s.u[c.i] & n),
+            r[c.i],
+            contactShares::mass(c.i, x, r, type.masses())
+        );
+        ext.k[c.i] += c.share*law_->stiffness(c.depth, r[c.i])*sqr(n);
+    }
+}

@@ -1,0 +1,294 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "fluidCoupling.H"
+#include "IOdictionary.H"
+
+Foam::fluidCoupling::fluidCoupling
+(
+    const fvMesh& mesh,
+    const PtrList<clumpType>& types,
+    const dictionary& clumpProperties,
+    const bool feedback,
+    const bool rotates,
+    const bool frozen
+)
+:
+    mesh_(mesh),
+    types_(types),
+    frozen_(frozen),
+    rho_(0),
+    mu_(0)
+{
+    readFluid();
+
+    if (!feedback)
+    {
+        drag_.reset(new oneWayDrag(types));
+        return;
+    }
+    if (rotates)
+    {
+        rotation_ =
+            selectModel<rotationModel>(getDict(clumpProperties, "rotation"));
+    }
+    scheme_ = selectModel<couplingScheme>(getDict(clumpProperties, "exchange"));
+    boundary_.reset
+    (
+        new immersedBoundary
+        (
+            mesh, types, getDict(clumpProperties, "immersedBoundary")
+        )
+    );
+}
+
+
+void Foam::fluidCoupling::readFluid()
+{
+    const IOdictionary fluid
+    (
+        IOobject
+        (
+            "transportProperties", mesh_.time().constant(), mesh_,
+            IOobject::MUST_READ, IOobject::NO_WRITE, false
+        )
+    );
+    rho_ = getPositive(fluid, "rho", dimDensity);
+    if (fluid.found("nu"))
+    {
+        // The viscosity models take any sign
+        getPositive(fluid, "nu", dimViscosity);
+    }
+}
+
+
+void Foam::fluidCoupling::setRotation
+(
+    clumpImage& image,
+    const clumpState& s
+) const
+{
+    if (rotation_.valid())
+    {
+        image.omega = rotation_->angularVelocities(types_[image.typeId], s);
+    }
+}
+
+
+void Foam::fluidCoupling::integrate
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu,
+    UList<clumpImage>& images
+)
+{
+    mu_ = rho_*gMax(nu.primitiveField());
+    if (twoWay())
+    {
+        boundary_->integrate(U, p, nu, rho_, images);
+    }
+    else
+    {
+        drag_->integrate(U, mu_, frozen_, images);
+    }
+}
+
+
+void Foam::fluidCoupling::takeForces(clumpParcel& p, clumpImage& image) const
+{
+    image.dilation.removeFromForces(image.force, image.torque);
+    p.fluidForces() = image.force;
+    p.fluidTorques() = Zero;
+}
+
+
+void Foam::fluidCoupling::takeTorques
+(
+    clumpParcel& p,
+    const clumpImage& image
+) const
+{
+    rotation_->transpose
+    (
+        types_[p.typeId()], p.state(), image.torque,
+        p.fluidForces(), p.fluidTorques()
+    );
+}
+
+
+void Foam::fluidCoupling::followFlow
+(
+    clumpParcel& p,
+    const clumpImage& image
+) const
+{
+    const clumpType& type = types_[p.typeId()];
+    clumpState& s = p.state();
+    forAll(s.u, i)
+    {
+        s.u[i] = image.force[i]/max(image.torque[i].x(), VSMALL);
+    }
+    s.w = vectorField(s.w.size(), Zero);
+    s.w = s.angularVelocity(type);
+}
+
+
+Foam::vectorField Foam::fluidCoupling::interiorForces
+(
+    const clumpParcel& p,
+    const scalar dt
+) const
+{
+    const clumpState& s = p.state();
+    if (!twoWay() || !boundary_->addsInteriorInertia())
+    {
+        return vectorField(s.u.size(), Zero);
+    }
+    return
+        rho_*types_[p.typeId()].volumes()/dt
+       *(p.step().imposedU - s.u + mesh_.time().deltaT0Value()*s.a);
+}
+
+
+void Foam::fluidCoupling::addForces
+(
+    const clumpParcel& p,
+    const scalar dt,
+    externalForces& ext
+) const
+{
+    const clumpType& type = types_[p.typeId()];
+    const clumpState& s = p.state();
+    const clumpStep& step = p.step();
+
+    ext.f += p.fluidForces();
+    ext.u0 = step.imposedU;
+    if (!twoWay())
+    {
+        ext.zeta = oneWayDrag::resistance(type, mu_);
+        return;
+    }
+
+    ext.t += p.fluidTorques();
+    ext.w0 = step.imposedW;
+    scheme_->coefficients
+    (
+        type, p.couplingFactor()*mu_, rho_, dt, ext.zeta, ext.zetaR
+    );
+
+    if (boundary_->addsInteriorInertia())
+    {
+        ext.f += interiorForces(p, dt);
+        ext.t +=
+            0.4*rho_/dt*type.volumes()*sqr(type.radii())
+           *(step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b);
+    }
+}
+
+
+void Foam::fluidCoupling::divideInterior
+(
+    const clumpParcel& p,
+    const scalar h,
+    const scalar dt,
+    externalForces& ext
+) const
+{
+    if (!twoWay() || h == dt)
+    {
+        return;
+    }
+    scalarField zeta(ext.zeta), zetaR(ext.zetaR);
+    scheme_->coefficients
+    (
+        types_[p.typeId()], p.couplingFactor()*mu_, rho_, h, zeta, zetaR
+    );
+
+    const auto divide = [&]
+    (
+        const scalarField& z,       // of the part of the step
+        const vectorField& u,
+        const vectorField& u0,      // at the start of the step
+        scalarField& zeta,
+        vectorField& imposed,
+        vectorField& f
+    )
+    {
+        forAll(z, i)
+        {
+            if (z[i] <= 0)
+            {
+                continue;
+            }
+            const scalar m = (z[i] - zeta[i])/(1/h - 1/dt);
+            f[i] += m/dt*(imposed[i] - u0[i]);
+            imposed[i] = ((zeta[i] - m/dt)*imposed[i] + m/h*u[i])/z[i];
+            zeta[i] = z[i];
+        }
+    };
+    const clumpState& now = p.step().end;
+    divide(zeta, now.u, p.state().u, ext.zeta, ext.u0, ext.f);
+    divide(zetaR, now.w, p.state().w, ext.zetaR, ext.w0, ext.t);
+}
+
+
+void Foam::fluidCoupling::adapt(clumpParcel& p) const
+{
+    clumpStep& step = p.step();
+    const vectorField& u = step.end.u;
+    const vectorField now(u - step.imposedU);
+    const vectorField& last = step.change;
+
+    const bool overshoots =
+        sum(now & last) < 0
+     && sum(magSqr(now)) > sum(magSqr(last))
+     && sum(magSqr(now)) > 1e-6*sum(magSqr(u));
+
+    // A single one may be the change of an acceleration's sign, if small
+    p.overshoots() = overshoots ? p.overshoots() + 1 : 0;
+    const bool unstable =
+        p.overshoots() > 1
+     || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(u)));
+    step.change = now;
+
+    scalar& factor = p.couplingFactor();
+    step.needsShorterStep =
+        unstable && !(scheme_->damps() && factor < maxFactor);
+    if (scheme_->damps())
+    {
+        step.raised = step.raised || unstable;
+        factor = unstable ? min(2*factor, maxFactor) : max(0.98*factor, 1.0);
+    }
+}
+
+
+void Foam::fluidCoupling::report
+(
+    const Cloud<clumpParcel>& clumps,
+    const label nClumps
+) const
+{
+    label nRaised = 0;
+    scalar largest = 0;
+    for (const clumpParcel& p : clumps)
+    {
+        if (p.step().raised)
+        {
+            ++nRaised;
+            largest = max(largest, p.couplingFactor());
+        }
+    }
+    reduce(nRaised, sumOp<label>());
+    if (!nRaised)
+    {
+        return;
+    }
+    reduce(largest, maxOp<scalar>());
+
+    Info<< "Coupling coefficient raised for " << nRaised << " of " << nClumps
+        << " clumps, to " << largest << " times its value at most"
+        << (largest < maxFactor ? "" : ", the limit") << endl;
+}

@@ -62,7 +62,7 @@ TEST_CASE("boundary: a rigid motion is imposed to round-off", "[boundary]")
 
 TEST_CASE("boundary: third law, and forces the transpose of velocities", "[boundary][adjoint]")
 {
-    const word rotation = GENERATE(word("none"), word("perSphere"), word("clump"));
+    const word rotation = GENERATE(word("none"), word("perSphere"), word("wholeClump"));
     const word forcing = GENERATE(word("sharp"), word("cutCell"));
     testCloud t
     (
@@ -306,7 +306,7 @@ TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][seria
 {
     const word fraction = GENERATE
     (
-        word("full"), word("centre"), word("signedDistance"), word("tetClipping")
+        word("fullCells"), word("centreInside"), word("signedDistance"), word("tetClipping")
     );
     const word forcing = GENERATE
     (
@@ -314,7 +314,7 @@ TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][seria
     );
     testCloud t
     (
-        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), Zero, "clump", true,
+        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), Zero, "wholeClump", true,
         forcing, fraction
     );
 

@@ -16,15 +16,16 @@ TEST_CASE("accuracyPreset: fills what is missing only", "[accuracy][serial]")
     (
         dictOf
         (
-            "accuracy standard; exchange { type explicit; }"
+            "accuracy standard; couplingScheme { type explicitCoupling; }"
             "immersedBoundary { forcing { type cutCell; } interiorDilation no; }"
         )
     );
     const dictionary all(accuracyPreset(given).completed(given));
 
-    // The user's, without the margin of another type
-    CHECK(all.subDict("exchange").get<word>("type") == "explicit");
-    CHECK(!all.subDict("exchange").found("margin"));
+    // The user's, without the coefficient of another type
+    const dictionary& coupling = all.subDict("couplingScheme");
+    CHECK(coupling.get<word>("type") == "explicitCoupling");
+    CHECK(!coupling.found("coefficient"));
 
     const dictionary& ib = all.subDict("immersedBoundary");
     CHECK(ib.subDict("forcing").get<word>("type") == "cutCell");

@@ -55,7 +55,13 @@ Foam::deformableCloud::deformableCloud
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
     accuracy_(dict),
-    dict_(accuracy_.completed(dict)),
+    dict_
+    (
+        accuracy_.completed
+        (
+            withPresentNames(dict, {{"exchange", "couplingScheme"}})
+        )
+    ),
     effects_(dict_),
     ghosts_(mesh),
     contactGhosts_(mesh),
@@ -79,8 +85,8 @@ Foam::deformableCloud::deformableCloud
         dict_,
         {
             "types", "placement", "integrator", "contactModel",
-            "wallContactModel", "loads", "effects", "rotation", "exchange",
-            "immersedBoundary", "accuracy"
+            "wallContactModel", "loads", "effects", "rotation",
+            "couplingScheme", "immersedBoundary", "accuracy"
         }
     );
     decideOnce();
@@ -119,7 +125,8 @@ Foam::deformableCloud::deformableCloud
             rotationModel_ =
                 selectModel<rotationModel>(getDict(dict_, "rotation"));
         }
-        couplingScheme_ = selectModel<couplingScheme>(getDict(dict_, "exchange"));
+        couplingScheme_ =
+            selectModel<couplingScheme>(getDict(dict_, "couplingScheme"));
         immersedBoundary_.reset
         (
             new immersedBoundary

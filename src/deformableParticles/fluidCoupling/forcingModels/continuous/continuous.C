@@ -3,19 +3,19 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "continuousForcing.H"
+#include "continuous.H"
 
 namespace Foam
 {
 namespace forcingModels
 {
-    defineTypeNameAndDebug(continuousForcing, 0);
-    addToRunTimeSelectionTable(forcingModel, continuousForcing, dictionary);
+    defineTypeNameAndDebug(continuous, 0);
+    addToRunTimeSelectionTable(forcingModel, continuous, dictionary);
 }
 }
 
 
-Foam::forcingModels::continuousForcing::continuousForcing(const dictionary& dict)
+Foam::forcingModels::continuous::continuous(const dictionary& dict)
 :
     maxDiffusion_(getPositiveOrDefault(dict, "maxDiffusion", GREAT))
 {
@@ -23,7 +23,7 @@ Foam::forcingModels::continuousForcing::continuousForcing(const dictionary& dict
 }
 
 
-Foam::scalar Foam::forcingModels::continuousForcing::strength
+Foam::scalar Foam::forcingModels::continuous::strength
 (
     const cell& c
 ) const

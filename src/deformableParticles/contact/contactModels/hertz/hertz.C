@@ -3,13 +3,13 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "hertzContact.H"
+#include "hertz.H"
 
 namespace Foam
 {
 namespace contactModels
 {
-    defineTypeNameAndDebug(hertzContact, 0);
-    addToRunTimeSelectionTable(contactModel, hertzContact, dictionary);
+    defineTypeNameAndDebug(hertz, 0);
+    addToRunTimeSelectionTable(contactModel, hertz, dictionary);
 }
 }

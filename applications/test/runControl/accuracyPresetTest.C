@@ -17,7 +17,7 @@ TEST_CASE("accuracyPreset: fills what is missing only", "[accuracy][serial]")
         dictOf
         (
             "accuracy standard; couplingScheme { type explicitCoupling; }"
-            "immersedBoundary { forcing { type cutCell; } interiorDilation no; }"
+            "immersedBoundary { forcing { type continuous; } interiorDilation no; }"
         )
     );
     const dictionary all(accuracyPreset(given).completed(given));
@@ -28,7 +28,7 @@ TEST_CASE("accuracyPreset: fills what is missing only", "[accuracy][serial]")
     CHECK(!coupling.found("coefficient"));
 
     const dictionary& ib = all.subDict("immersedBoundary");
-    CHECK(ib.subDict("forcing").get<word>("type") == "cutCell");
+    CHECK(ib.subDict("forcing").get<word>("type") == "continuous");
     CHECK(!ib.get<bool>("interiorDilation"));
     CHECK(ib.subDict("solidFraction").found("type"));
     CHECK(all.subDict("rotation").found("type"));

@@ -69,7 +69,7 @@ Foam::deformableCloud::deformableCloud
     contactModel_(selectModel<contactModel>(getDict(dict_, "contactModel"))),
     wallContactModel_
     (
-        selectModel<wallContactModel>(getDict(dict_, "wallContactModel"))
+        selectModel<contactModel>(getDict(dict_, "wallContactModel"))
     ),
     rho_(0),
     mu_(0),

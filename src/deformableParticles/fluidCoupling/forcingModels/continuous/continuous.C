@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "continuous.H"
+#include "coveredCells.H"
 
 namespace Foam
 {
@@ -16,17 +17,39 @@ namespace forcingModels
 
 
 Foam::forcingModels::continuous::continuous(const dictionary& dict)
-:
-    maxDiffusion_(getPositiveOrDefault(dict, "maxDiffusion", GREAT))
 {
-    checkEntries(dict, {"type", "maxDiffusion"});
+    checkEntries(dict, {"type"});
 }
 
 
-Foam::scalar Foam::forcingModels::continuous::strength
+Foam::forcingModel::surfaceInCell Foam::forcingModels::continuous::surface
 (
-    const cell& c
+    const cellGeometry&,
+    const label,
+    const pointField&,
+    const scalarField&
 ) const
 {
-    return c.lambda/min(c.dt, maxDiffusion_*sqr(c.dx)/c.nu);
+    // The solid fraction alone decides
+    return {false, 0};
+}
+
+
+void Foam::forcingModels::continuous::setStrength
+(
+    const cellGeometry&,
+    const scalarField&,
+    const scalarField& solidFraction,
+    const scalarField&,
+    const scalar dt,
+    coveredCells& covered,
+    scalarField& strength
+) const
+{
+    forAll(covered.cells, k)
+    {
+        const label celli = covered.cells[k];
+        covered.share[k] = covered.lambda[k];
+        strength[celli] = solidFraction[celli]/dt;
+    }
 }

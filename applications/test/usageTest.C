@@ -4,7 +4,8 @@
 -------------------------------------------------------------------------------
 Description
     Every usage dictionary in the library's headers is run: the models are
-    selected from them. The headers are found through $DEFORMABLE_SRC.
+    selected from them. Folder, class and type of every model have one name.
+    The headers are found through $DEFORMABLE_SRC.
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
@@ -14,7 +15,6 @@ Description
 #include "conservationModel.H"
 #include "integrator.H"
 #include "contactModel.H"
-#include "wallContactModel.H"
 #include "load.H"
 #include "solidFractionModel.H"
 #include "forcingModel.H"
@@ -106,7 +106,6 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<dampingModel>("bondMechanics/dampingModels");
     run<integrator>("integrators");
     run<contactModel>("contact/contactModels");
-    run<wallContactModel>("contact/wallContactModels");
     run<load>("clump/loads");
     run<solidFractionModel>("fluidCoupling/solidFractionModels");
     run<forcingModel>("fluidCoupling/forcingModels");
@@ -126,6 +125,106 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     (
         "bondMechanics/conservationModels", corners, scalarField(corners.size(), 1e-6)
     );
+}
+
+
+//- Every header below a folder that gives a class its TypeName
+void checkNames(const fileName& folder, label& n)
+{
+    for (const fileName& sub : readDir(folder, fileName::DIRECTORY))
+    {
+        if (sub == "lnInclude" || sub == "Make")
+        {
+            continue;
+        }
+        checkNames(folder/sub, n);
+
+        IFstream is(folder/sub/sub + ".H");
+        string line, type;
+        bool hasClass = false;
+        while (is.good())
+        {
+            is.getLine(line);
+            const auto start = line.find("TypeName(\"");
+            if (start != string::npos)
+            {
+                type = line.substr(start + 10);
+                type = type.substr(0, type.find('"'));
+            }
+            hasClass = hasClass || line == "class " + sub;
+        }
+        if (type.empty())
+        {
+            continue;
+        }
+
+        ++n;
+        INFO(folder/sub << ": type " << type);
+        CHECK(hasClass);
+        if (type == "none")
+        {
+            // noRotation of the rotationModels
+            REQUIRE(sub.size() > 2);
+            string family(sub.substr(2));
+            family[0] = std::tolower(family[0]);
+            CHECK(sub.substr(0, 2) == "no");
+            CHECK(family + "Models" == folder.name());
+        }
+        else
+        {
+            CHECK(type == sub);
+        }
+    }
+}
+
+
+TEST_CASE("usage: folder, class and type have one name", "[usage][serial]")
+{
+    label n = 0;
+    checkNames(getEnv("DEFORMABLE_SRC"), n);
+    CHECK(n > 50);
+}
+
+
+TEST_CASE("usage: former names of types and entries", "[usage][serial]")
+{
+    CHECK
+    (
+        selectModel<rotationModel>(dictOf("type clump;"))->type()
+     == "wholeClump"
+    );
+    CHECK
+    (
+        selectModel<solidFractionModel>(dictOf("type centre;"))->type()
+     == "centreInside"
+    );
+    CHECK
+    (
+        selectModel<solidFractionModel>(dictOf("type full;"))->type()
+     == "fullCells"
+    );
+    CHECK
+    (
+        selectModel<couplingScheme>(dictOf("type explicit;"))->type()
+     == "explicitCoupling"
+    );
+    CHECK_THROWS(selectModel<rotationModel>(dictOf("type sphere;")));
+
+    // The former entry counts like the present one, which goes before it
+    const clumpType type("cell", cellDict());
+    const auto zeta = [&](const string& text)
+    {
+        scalarField z(type.size()), zR(type.size());
+        selectModel<couplingScheme>(dictOf("type robin; " + text))->coefficients
+        (
+            type, 1e-3, 1000, 1e-3, z, zR
+        );
+        return z[0];
+    };
+    CHECK(zeta("margin 3;") == zeta("coefficient 3;"));
+    CHECK(zeta("margin 3;") > 1.5*zeta("coefficient 1;"));
+    CHECK(zeta("margin 3; coefficient 1;") == zeta("coefficient 1;"));
+    CHECK_THROWS(zeta(""));
 }
 
 

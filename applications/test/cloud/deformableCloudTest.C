@@ -26,7 +26,7 @@ TEST_CASE("cloud: free flight through every periodic boundary", "[cloud]")
     const vector u(0.3, 0, 0.2);
     testCloud t
     (
-        point(10e-6, 10e-6, 10e-6), u, Zero, "clump", false
+        point(10e-6, 10e-6, 10e-6), u, Zero, "wholeClump", false
     );
     const scalar dt = testTime().deltaTValue();
 
@@ -53,7 +53,7 @@ TEST_CASE("cloud: a collision conserves momentum", "[cloud][contact]")
 {
     // Head-on across the periodic boundary in x
     const vector u(0.01, 0, 0);
-    testCloud t(point(14e-6, 10e-6, 10e-6), u, Zero, "clump", false);
+    testCloud t(point(14e-6, 10e-6, 10e-6), u, Zero, "wholeClump", false);
     t.add(point(25e-6 - 20e-6, 10.7e-6, 10.4e-6), -u);
 
     const scalar size = t.type().mass()*mag(u);
@@ -82,7 +82,7 @@ TEST_CASE("cloud: a collision conserves momentum", "[cloud][contact]")
 
 TEST_CASE("cloud: walls are felt from either side of a processor boundary", "[cloud][walls]")
 {
-    testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "clump", false);
+    testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "wholeClump", false);
     const wallSurface walls(testMesh(), t.cloud().ghosts());
     const scalar r = 2e-6;
 
@@ -159,7 +159,7 @@ TEST_CASE("cloud: walls of processors that become neighbours", "[cloud][walls]")
 
 TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
 {
-    testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "clump", false);
+    testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "wholeClump", false);
     const sceneEffects& active = t.cloud().effects();
     const timeBreakdown& timing = t.cloud().timing();
     t.cloud().evolve();

@@ -7,7 +7,6 @@
 #include "testCloud.H"
 #include "contactShares.H"
 #include "contactModel.H"
-#include "wallContactModel.H"
 #include "mathematicalConstants.H"
 
 using namespace Foam;
@@ -228,7 +227,7 @@ TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
     const wallSurface floor(List<point>({a, c, b, a, e, c}));
     const auto model
     (
-        selectModel<wallContactModel>
+        selectModel<contactModel>
         (
             dictOf("type hertz; reducedModulus 1000; restitution 1;")
         )

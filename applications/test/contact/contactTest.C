@@ -7,7 +7,6 @@
 #include "testCase.H"
 #include "sphereGrid.H"
 #include "contactModel.H"
-#include "wallContactModel.H"
 #include <array>
 #include <chrono>
 #include <set>
@@ -176,6 +175,28 @@ TEST_CASE("contact: Hertz's law", "[contact][serial]")
 }
 
 
+TEST_CASE("contact: a wall is a sphere without end", "[contact][serial]")
+{
+    const auto model
+    (
+        selectModel<contactModel>
+        (
+            dictOf("type hertz; reducedModulus 1000; restitution 0.5;")
+        )
+    );
+    const scalar r = 2e-6, m = 1e-14, d = 1e-7, v = 1e-3;
+    const scalar wall = model->force(d, v, r, m);
+    CHECK(wall > model->force(d, 0, r, m));
+    CHECK(wall > 1.2*model->force(d, v, r, r, m, m));
+    CHECK(wall == Approx(model->force(d, v, r, 1e10*r, m, 1e10*m)).epsilon(1e-8));
+    CHECK
+    (
+        model->stiffness(d, r)
+     == Approx(model->stiffness(d, r, 1e10*r)).epsilon(1e-8)
+    );
+}
+
+
 TEST_CASE("contact: coefficient of restitution", "[contact][serial]")
 {
     // A sphere meets a wall; the law's damping gives back the fraction e of
@@ -184,7 +205,7 @@ TEST_CASE("contact: coefficient of restitution", "[contact][serial]")
     const scalar speed = GENERATE(1e-3, 1e-2);
     OStringStream os;
     os << "type hertz; reducedModulus 1000; restitution " << e << ";";
-    const auto model(selectModel<wallContactModel>(dictOf(os.str())));
+    const auto model(selectModel<contactModel>(dictOf(os.str())));
 
     const scalar r = 2e-6, m = 1e-14, dt = 1e-10;
     scalar overlap = 0, approach = speed;

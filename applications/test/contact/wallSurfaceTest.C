@@ -6,7 +6,7 @@
 #include "catch2/catch.hpp"
 #include "testCase.H"
 #include "wallSurface.H"
-#include "wallContactModel.H"
+#include "contactModel.H"
 #include "mathematicalConstants.H"
 #include <algorithm>
 
@@ -53,7 +53,7 @@ vector force(const wallSurface& walls, const point& x)
 {
     static const auto model
     (
-        selectModel<wallContactModel>
+        selectModel<contactModel>
         (
             dictOf("type hertz; reducedModulus 1; restitution 1;")
         )

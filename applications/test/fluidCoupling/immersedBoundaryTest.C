@@ -62,8 +62,8 @@ TEST_CASE("boundary: a rigid motion is imposed to round-off", "[boundary]")
 
 TEST_CASE("boundary: third law, and forces the transpose of velocities", "[boundary][adjoint]")
 {
-    const word rotation = GENERATE(word("none"), word("perSphere"), word("clump"));
-    const word forcing = GENERATE(word("sharp"), word("cutCell"));
+    const word rotation = GENERATE(word("none"), word("perSphere"), word("wholeClump"));
+    const word forcing = GENERATE(word("sharp"), word("continuous"));
     testCloud t
     (
         point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), vector(30, 20, 10),
@@ -181,7 +181,7 @@ TEST_CASE("boundary: two clumps in a cell share it", "[boundary]")
 
 TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
 {
-    const word forcing = GENERATE(word("sharp"), word("cutCell"));
+    const word forcing = GENERATE(word("sharp"), word("continuous"));
 
     // Two overlapping spheres of different radii
     PtrList<clumpType> types(2);
@@ -306,15 +306,15 @@ TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][seria
 {
     const word fraction = GENERATE
     (
-        word("full"), word("centre"), word("signedDistance"), word("tetClipping")
+        word("fullCells"), word("centreInside"), word("signedDistance"), word("tetClipping")
     );
     const word forcing = GENERATE
     (
-        word("continuous"), word("cutCell"), word("sharp")
+        word("continuous"), word("sharp")
     );
     testCloud t
     (
-        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), Zero, "clump", true,
+        point(0.3e-6, 7.1e-6, 19.6e-6), vector(1e-3, 0, 0), Zero, "wholeClump", true,
         forcing, fraction
     );
 

@@ -50,7 +50,7 @@ TEST_CASE("rotation: a rigid motion is imposed exactly", "[rotation][serial]")
         return worst;
     };
 
-    CHECK(error("clump") < 1e-12);
+    CHECK(error("wholeClump") < 1e-12);
 
     // Eq. 13 is exact in the plane and not for tumbling
     CHECK((error("perSphere") < 1e-12) == inPlane);
@@ -76,13 +76,13 @@ TEST_CASE("rotation: single sphere and straight chain", "[rotation][serial]")
     const vector omega(10, 20, 30);
     s.setRigidMotion(type, Zero, omega);
 
-    CHECK(max(mag(rotationOf("clump")->angularVelocities(type, s) - omega)) < 1e-10*mag(omega));
+    CHECK(max(mag(rotationOf("wholeClump")->angularVelocities(type, s) - omega)) < 1e-10*mag(omega));
 }
 
 
 TEST_CASE("rotation: forces are the transpose of velocities", "[rotation][adjoint][serial]")
 {
-    const word model = GENERATE(word("none"), word("perSphere"), word("clump"));
+    const word model = GENERATE(word("none"), word("perSphere"), word("wholeClump"));
     const clumpType type("cell", cellDict());
     const label n = type.size();
     Random random(13);

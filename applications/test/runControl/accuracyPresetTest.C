@@ -16,18 +16,19 @@ TEST_CASE("accuracyPreset: fills what is missing only", "[accuracy][serial]")
     (
         dictOf
         (
-            "accuracy standard; exchange { type explicit; }"
-            "immersedBoundary { forcing { type cutCell; } interiorDilation no; }"
+            "accuracy standard; couplingScheme { type explicitCoupling; }"
+            "immersedBoundary { forcing { type continuous; } interiorDilation no; }"
         )
     );
     const dictionary all(accuracyPreset(given).completed(given));
 
-    // The user's, without the margin of another type
-    CHECK(all.subDict("exchange").get<word>("type") == "explicit");
-    CHECK(!all.subDict("exchange").found("margin"));
+    // The user's, without the coefficient of another type
+    const dictionary& coupling = all.subDict("couplingScheme");
+    CHECK(coupling.get<word>("type") == "explicitCoupling");
+    CHECK(!coupling.found("coefficient"));
 
     const dictionary& ib = all.subDict("immersedBoundary");
-    CHECK(ib.subDict("forcing").get<word>("type") == "cutCell");
+    CHECK(ib.subDict("forcing").get<word>("type") == "continuous");
     CHECK(!ib.get<bool>("interiorDilation"));
     CHECK(ib.subDict("solidFraction").found("type"));
     CHECK(all.subDict("rotation").found("type"));

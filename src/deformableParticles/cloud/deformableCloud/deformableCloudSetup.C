@@ -62,7 +62,13 @@ Foam::deformableCloud::deformableCloud
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
     accuracy_(dict),
-    dict_(accuracy_.completed(dict)),
+    dict_
+    (
+        accuracy_.completed
+        (
+            withPresentNames(dict, {{"exchange", "couplingScheme"}})
+        )
+    ),
     g_(Zero),
     effects_(dict_),
     ghosts_(mesh),
@@ -78,8 +84,8 @@ Foam::deformableCloud::deformableCloud
         dict_,
         {
             "types", "placement", "integrator", "contactModel",
-            "wallContactModel", "loads", "effects", "rotation", "exchange",
-            "immersedBoundary", "accuracy"
+            "wallContactModel", "loads", "effects", "rotation",
+            "couplingScheme", "immersedBoundary", "accuracy"
         }
     );
     effects_.decide(dict_, mesh);

@@ -18,7 +18,7 @@ Foam::wallContacts::wallContacts
     types_(types),
     law_
     (
-        selectModel<wallContactModel>
+        selectModel<contactModel>
         (
             getDict(clumpProperties, "wallContactModel")
         )

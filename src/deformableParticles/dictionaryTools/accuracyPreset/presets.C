@@ -10,8 +10,8 @@ common
 {
     clumpProperties
     {
-        rotation        { type clump; }
-        exchange        { type robin; margin 1; }
+        rotation        { type wholeClump; }
+        couplingScheme  { type robin; coefficient 1; }
         immersedBoundary
         {
             solidFraction   { type signedDistance; }

@@ -147,6 +147,38 @@ void Foam::checkEntries
 }
 
 
+void Foam::warnOfFormerName
+(
+    const dictionary& dict,
+    const word& former,
+    const word& present
+)
+{
+    IOWarningInFunction(dict)
+        << "The name '" << former << "' has been replaced by '" << present
+        << "'; please change it" << endl;
+}
+
+
+Foam::dictionary Foam::withPresentNames
+(
+    const dictionary& dict,
+    const HashTable<word>& presentNames
+)
+{
+    dictionary result(dict);
+    forAllConstIters(presentNames, name)
+    {
+        if (dict.found(name.key()) && !dict.found(name.val()))
+        {
+            warnOfFormerName(dict, name.key(), name.val());
+            result.changeKeyword(name.key(), name.val());
+        }
+    }
+    return result;
+}
+
+
 const Foam::dictionary& Foam::getDict(const dictionary& dict, const word& key)
 {
     if (dict.found(key) && !dict.isDict(key))

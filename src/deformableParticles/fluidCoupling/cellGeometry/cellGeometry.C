@@ -20,7 +20,6 @@ void Foam::cellGeometry::update()
     const vectorField& centres = mesh_.cellCentres();
 
     width_ = Foam::cbrt(mesh_.V().field());
-    widths_ = symmTensorField(mesh_.nCells(), Zero);
     reach_ = scalarField(mesh_.nCells(), Zero);
 
     const labelListList& cellPoints = mesh_.cellPoints();
@@ -28,9 +27,10 @@ void Foam::cellGeometry::update()
     {
         for (const label pointi : cellPoints[celli])
         {
-            const vector y(mesh_.points()[pointi] - centres[celli]);
-            reach_[celli] = max(reach_[celli], mag(y));
-            widths_[celli] += 4*sqr(y)/cellPoints[celli].size();
+            reach_[celli] = max
+            (
+                reach_[celli], mag(mesh_.points()[pointi] - centres[celli])
+            );
         }
     }
     largestReach_ = reach_.empty() ? 0 : max(reach_);
@@ -67,19 +67,6 @@ void Foam::cellGeometry::update()
             10,
             1
         )
-    );
-}
-
-
-Foam::scalar Foam::cellGeometry::widthAlong
-(
-    const label celli,
-    const vector& n
-) const
-{
-    return Foam::sqrt
-    (
-        (n & (widths_[celli] & n)) + (1 - magSqr(n))*sqr(width_[celli])
     );
 }
 

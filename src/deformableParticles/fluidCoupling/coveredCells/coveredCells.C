@@ -21,11 +21,9 @@ void Foam::coveredCells::find
     const fvMesh& mesh = geometry.mesh();
     const scalarField& radii = type.radii();
     const scalar smallest = min(radii);
-    const bool usesDistance = forcing.usesDistance();
-    const scalar nReaches = usesDistance ? 2 : 1;
+    const scalar nReaches = forcing.nReaches();
     DynamicList<point> nearCentres;
     DynamicList<scalar> nearRadii;
-    scalarField seenRadii(radii);
 
     for (const label celli : geometry.find(image.box, nReaches))
     {
@@ -62,28 +60,19 @@ void Foam::coveredCells::find
             );
         }
 
-        const scalar dx = geometry.width(celli);
-        scalar seen = GREAT, conductance = 0;
-        if (usesDistance)
-        {
-            forAll(radii, i)
-            {
-                seenRadii[i] =
-                    radii[i] + forcing.displacement(dx, radii[i]);
-            }
-            const auto surface = [&](const point& y)
-            {
-                return sphereUnion::distance(y, image.x, seenRadii);
-            };
-            seen = surface(x);
-            if (seen > 0)
-            {
-                conductance = geometry.wallConductance(celli, seen, surface);
-            }
-        }
+        const forcingModel::surfaceInCell surface
+        (
+            forcing.surface(geometry, celli, image.x, radii)
+        );
 
-        if (fraction > SMALL || conductance > 0 || seen < 0)
+        if
+        (
+            fraction > SMALL
+         || surface.wallConductance > 0
+         || surface.centreInside
+        )
         {
+            const scalar dx = geometry.width(celli);
             if (smallest < 0.999*dx)
             {
                 FatalErrorInFunction
@@ -95,11 +84,11 @@ void Foam::coveredCells::find
             }
             cells.append(celli);
             lambda.append(fraction);
-            distance.append(seen);
-            wallConductance.append(conductance);
+            centreInside.append(surface.centreInside);
+            wallConductance.append(surface.wallConductance);
         }
     }
-    share = lambda;
+    share.setSize(cells.size());
 }
 
 

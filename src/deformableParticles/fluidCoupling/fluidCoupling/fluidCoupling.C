@@ -34,7 +34,8 @@ Foam::fluidCoupling::fluidCoupling
         rotation_ =
             selectModel<rotationModel>(getDict(clumpProperties, "rotation"));
     }
-    scheme_ = selectModel<couplingScheme>(getDict(clumpProperties, "exchange"));
+    scheme_ =
+        selectModel<couplingScheme>(getDict(clumpProperties, "couplingScheme"));
     boundary_.reset
     (
         new immersedBoundary

@@ -20,9 +20,14 @@ namespace couplingSchemes
 
 Foam::couplingSchemes::robin::robin(const dictionary& dict)
 :
-    margin_(getNonNegative(dict, "margin"))
+    coefficient_(0)
 {
-    checkEntries(dict, {"type", "margin"});
+    const dictionary entries
+    (
+        withPresentNames(dict, {{"margin", "coefficient"}})
+    );
+    checkEntries(entries, {"type", "coefficient"});
+    coefficient_ = getNonNegative(entries, "coefficient");
 }
 
 
@@ -40,7 +45,7 @@ void Foam::couplingSchemes::robin::coefficients
     const scalarField& r = type.radii();
     const scalarField inertia(rho*type.volumes()/dt);
 
-    zeta = margin_*6*pi*mu*r + inertia;
+    zeta = coefficient_*6*pi*mu*r + inertia;
 
     const tensor I(clumpState(type).inertia(type));
     Eigen::Matrix3d moments;
@@ -59,5 +64,5 @@ void Foam::couplingSchemes::robin::coefficients
       + 6*pi*mu*max(r)*r.size()*(least - ofSpheres)/type.mass();
 
     zetaR =
-        margin_*resistance*sqr(ofSpheres/least)/r.size() + 0.4*inertia*sqr(r);
+        coefficient_*resistance*sqr(ofSpheres/least)/r.size() + 0.4*inertia*sqr(r);
 }

@@ -3,19 +3,19 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "clumpRotation.H"
+#include "wholeClump.H"
 
 namespace Foam
 {
 namespace rotationModels
 {
-    defineTypeNameAndDebug(clumpRotation, 0);
-    addToRunTimeSelectionTable(rotationModel, clumpRotation, dictionary);
+    defineTypeNameAndDebug(wholeClump, 0);
+    addToRunTimeSelectionTable(rotationModel, wholeClump, dictionary);
 }
 }
 
 
-Foam::vectorField Foam::rotationModels::clumpRotation::angularVelocities
+Foam::vectorField Foam::rotationModels::wholeClump::angularVelocities
 (
     const clumpType& type,
     const clumpState& s
@@ -25,7 +25,7 @@ Foam::vectorField Foam::rotationModels::clumpRotation::angularVelocities
 }
 
 
-void Foam::rotationModels::clumpRotation::transpose
+void Foam::rotationModels::wholeClump::transpose
 (
     const clumpType& type,
     const clumpState& s,

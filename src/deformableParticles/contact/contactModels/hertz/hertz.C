@@ -3,9 +3,19 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "hertzLaw.H"
+#include "hertz.H"
 
-Foam::scalar Foam::hertzLaw::restitution(const scalar b)
+namespace Foam
+{
+namespace contactModels
+{
+    defineTypeNameAndDebug(hertz, 0);
+    addToRunTimeSelectionTable(contactModel, hertz, dictionary);
+}
+}
+
+
+Foam::scalar Foam::contactModels::hertz::restitution(const scalar b)
 {
     // Time step a thousandth of the duration of the elastic contact (3.2) and
     // shorter than the damping's own time
@@ -28,7 +38,7 @@ Foam::scalar Foam::hertzLaw::restitution(const scalar b)
 }
 
 
-Foam::hertzLaw::hertzLaw(const dictionary& dict)
+Foam::contactModels::hertz::hertz(const dictionary& dict)
 :
     modulus_(getPositive(dict, "reducedModulus")),
     damping_(0)

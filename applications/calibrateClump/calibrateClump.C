@@ -97,9 +97,9 @@ label writeCurve
     label unstable = 0;
     for (label v = 0; v < solution.nVariants(); ++v)
     {
-        const clumpType clump("fit", solution.type(y, v));
+        const bondedClump clump("fit", solution.type(y, v));
         label n = 0;
-        const List<scalarField> curve(test.predict(clump, x, &n));
+        const List<scalarField> curve(test.predict(clump.bonds, x, &n));
         unstable += n;
         forAll(x, i)
         {

@@ -197,7 +197,7 @@ void Foam::deformableCloud::advance(const scalar dt)
                 }
                 integrator_->advance
                 (
-                    type(parcel), ext[index], h, parcel.state()
+                    bonds(parcel), ext[index], h, parcel.state()
                 );
                 addMomentum
                 (

@@ -60,9 +60,7 @@ const listField listFields[] =
     {"velocities", &clumpState::u},
     {"angularVelocities", &clumpState::w},
     {"accelerations", &clumpState::a},
-    {"angularAccelerations", &clumpState::b},
-    {"bondForces", &clumpState::n},
-    {"bondMoments", &clumpState::m}
+    {"angularAccelerations", &clumpState::b}
 };
 
 //- Fatal, naming the file and the clump
@@ -128,9 +126,15 @@ Field<Type> readValues(const Cloud<clumpParcel>& c, const word& name)
     return field;
 }
 
-//- Lists as long as the clump's own, which they replace
+//- Lists as long as the clump's own, which they replace; some may be empty
 template<class Type, class Getter>
-void readLists(Cloud<clumpParcel>& c, const word& name, const Getter& own)
+void readLists
+(
+    Cloud<clumpParcel>& c,
+    const word& name,
+    const Getter& own,
+    const bool mayBeEmpty = false
+)
 {
     const compactFieldReader<Type> file
     (
@@ -144,7 +148,7 @@ void readLists(Cloud<clumpParcel>& c, const word& name, const Getter& own)
         const Field<Type>& list = file.lists()[i++];
         Field<Type>& field = own(p);
 
-        if (list.size() != field.size())
+        if (list.size() != field.size() && !(mayBeEmpty && list.empty()))
         {
             refuse
             (
@@ -229,6 +233,7 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
             );
         }
         p.state_ = clumpState(cloud.type(p));
+        p.state_.broken.setSize(cloud.type(p).pairs().size(), 0);
         p.state_.exchange = exchange[i];
         p.state_.overshoots = overshoots[i];
         ++i;
@@ -268,7 +273,8 @@ void Foam::clumpParcel::readFields(Cloud<clumpParcel>& c)
     readLists<scalar>
     (
         c, "brokenBonds",
-        [](clumpParcel& p) -> scalarField& { return p.state_.broken; }
+        [](clumpParcel& p) -> scalarField& { return p.state_.broken; },
+        true
     );
 
     // Four numbers a sphere

@@ -45,7 +45,7 @@ Foam::conservationModels::unionVolume::unionVolume
     }
 
     vectorField grad(centres.size());
-    volume0_ = sphereUnion::volume(centres, radii_, grad);
+    volume0_ = sphereUnion::smoothVolume(centres, radii_, grad);
 }
 
 
@@ -55,5 +55,5 @@ Foam::scalar Foam::conservationModels::unionVolume::deviation
     vectorField& grad
 ) const
 {
-    return sphereUnion::volume(x, radii_, grad) - volume0_;
+    return sphereUnion::smoothVolume(x, radii_, grad) - volume0_;
 }

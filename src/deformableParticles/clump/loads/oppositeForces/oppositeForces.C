@@ -48,7 +48,7 @@ void Foam::loads::oppositeForces::add
 (
     const scalar time,
     const pointField&,
-    integrator::externals& ext
+    externalForces& ext
 ) const
 {
     const vector F(force_->value(time)*direction_);

@@ -53,7 +53,7 @@ void Foam::loads::pointForces::add
 (
     const scalar time,
     const pointField&,
-    integrator::externals& ext
+    externalForces& ext
 ) const
 {
     const scalar f = factor_->value(time);

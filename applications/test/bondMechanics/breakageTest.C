@@ -30,7 +30,10 @@ TEST_CASE("breakage: a bond breaks at its strength and not before", "[breakage][
             "density 1000; massModel union; motion free;"
             "bondModel { type elastic; rigidities { normal 1e-7;"
             " tangential 1e-7; bending 1e-19; torsional 1e-19; }"
-          + (breakable ? "breakage { normalStress 1e3; shearStress 1e3; }" : "")
+          + string
+            (
+                breakable ? "breakage { normalStress 1e3; shearStress 1e3; }" : ""
+            )
           + "} dampingModel { type kelvinVoigt; timeConstant 1e-5; }"
         )
     );

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bondCases.H"
+#include "bondFrame.H"
 
 using namespace Foam;
 

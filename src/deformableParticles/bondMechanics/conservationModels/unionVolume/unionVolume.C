@@ -37,8 +37,8 @@ Foam::conservationModels::unionVolume::unionVolume
             if (j != i && d2 + sqr(radii[i]) <= sqr(radii[j]))
             {
                 FatalIOErrorInFunction(dict)
-                    << "conservationModel unionVolume: sphere " << i
-                    << " lies too deep inside of sphere " << j
+                    << "conservationModel unionVolume: the centre of sphere "
+                    << i << " lies too deep inside sphere " << j
                     << exit(FatalIOError);
             }
         }

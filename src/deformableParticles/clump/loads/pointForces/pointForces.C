@@ -31,7 +31,7 @@ Foam::loads::pointForces::pointForces(const dictionary& dict)
     )
     {
         FatalIOErrorInFunction(dict)
-            << "pointForces needs one sphere at least, and as many forces ("
+            << "pointForces needs at least one sphere, and as many forces ("
             << forces_.size() << ") and torques (" << torques_.size()
             << ") as spheres (" << spheres_.size() << ')'
             << exit(FatalIOError);

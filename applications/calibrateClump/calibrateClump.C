@@ -6,27 +6,33 @@ Application
     calibrateClump
 
 Description
-    Fits the parameters of a clump type to a measured curve, or, without free
-    parameters, compares a type with it.
+    Fits the parameters of a clump type to a measured curve or, without free
+    parameters, compares a clump type with the curve.
 
         calibrateClump [-evaluate] [-variant n] calibration
 
-    reads the dictionary "calibration", fits (or, with -evaluate, takes the type
-    as it is) all variants (or variant n alone) and writes into a folder of its
-    name with .fit (or .evaluated, and n): the type to paste into constant/clumpProperties (clumpType), the
-    residual of every point (residuals.csv) and a smooth curve (curve.csv);
-    applications/calibrateClump/plotCalibration draws both.
+    The argument is the dictionary described below. All variants of the clump type
+    are fitted at once, or only variant n. With -evaluate the clump type is compared
+    as it is. The results are written into a folder named after the dictionary with
+    the ending .fit or .evaluated (and n):
 
+        clumpType       the fitted type, to be copied to constant/clumpProperties
+        residuals.csv   the residual of every point
+        curve.csv       a smooth curve
+
+    applications/calibrateClump/plotCalibration draws the points and the curve.
+
+    Usage
     \verbatim
-        test        { type stretching; ... }    // see mechanicalTest
-        data        { ... }                     // see measurement
-        type        { ... }                     // see clumpType
-        variants    ( {...} {...} );            // optional: fitted at once with
-                                                // these changes to the type
-        parameters  { ... }                     // see freeParameters; may be {}
-        norm        2;                          // see fit
-        starts      4;                          // optional, see fit
+        test        { type stretching; ... }    // mandatory: see mechanicalTest
+        data        { ... }                     // mandatory: see measurement
+        type        { ... }                     // mandatory: see clumpType
+        variants    ( {...} {...} );            // default none: changes to the type
+        parameters  { ... }                     // mandatory: see freeParameters; may be {}
+        norm        2;                          // [-], mandatory: see fit
+        starts      4;                          // [-], default 4: see fit
     \endverbatim
+
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
@@ -97,9 +103,9 @@ label writeCurve
     label unstable = 0;
     for (label v = 0; v < solution.nVariants(); ++v)
     {
-        const clumpType clump("fit", solution.type(y, v));
+        const bondedClump clump("fit", solution.type(y, v));
         label n = 0;
-        const List<scalarField> curve(test.predict(clump, x, &n));
+        const List<scalarField> curve(test.predict(clump.bonds, x, &n));
         unstable += n;
         forAll(x, i)
         {
@@ -231,8 +237,8 @@ int main(int argc, char* argv[])
         Info<< ' ' << clumpType("fit", solution.type(y, v)).volume();
     }
     Info<< nl
-        << solution.nCalls() << " curves in " << timer.elapsedCpuTime() << " s of a processor"
-        << nl << "Wrote " << folder << nl << endl;
+        << solution.nCalls() << " curves in " << timer.elapsedCpuTime()
+        << " s of processor time" << nl << "Wrote " << folder << nl << endl;
 
     UPstream::exit(0);
     return 0;

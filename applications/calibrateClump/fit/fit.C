@@ -51,10 +51,10 @@ Eigen::VectorXd Foam::fit::residuals(const Eigen::VectorXd& y) const
 
     for (label v = 0; v < nVariants(); ++v)
     {
-        const clumpType clump("fit", type(y, v));
+        const bondedClump clump("fit", type(y, v));
         const List<scalarField> model
         (
-            test_.predict(clump, data_.abscissas())
+            test_.predict(clump.bonds, data_.abscissas())
         );
         ++nCalls_;
 

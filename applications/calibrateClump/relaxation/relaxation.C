@@ -43,23 +43,24 @@ Foam::scalar Foam::mechanicalTests::relaxation::ratio
 
 bool Foam::mechanicalTests::relaxation::stretch
 (
-    const clumpType& type,
+    const clumpBonds& bonds,
     clumpState& s
 ) const
 {
+    const clumpType& type = bonds.type();
     const equilibrium solver;
     const auto ratioAt = [&](const scalar force)
     {
         solver.find
         (
-            type, equilibrium::stretch(type, vector(force, 0, 0)), s
+            bonds, equilibrium::stretch(type, vector(force, 0, 0)), s
         );
         return ratio(type, s);
     };
 
     // The force doubles until the ratio is passed, then bisection. The first
     // one would shear a bond by 1e-3 of its length.
-    const clumpType::bond& b = type.bonds()[0];
+    const clumpBonds::bond& b = bonds.bonds()[0];
     scalar low = 0;
     scalar high = 1e-3*b.stiffness.normal*b.length;
     while (ratioAt(high) < initialRatio_)
@@ -82,11 +83,12 @@ bool Foam::mechanicalTests::relaxation::stretch
 
 Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
 (
-    const clumpType& type,
+    const clumpBonds& bonds,
     const UList<scalar>& times,
     label* unstable
 ) const
 {
+    const clumpType& type = bonds.type();
     List<scalarField> result(1, scalarField(times.size(), GREAT));
     if (unstable)
     {
@@ -94,7 +96,7 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
     }
 
     clumpState s(type);
-    if (!stretch(type, s))
+    if (!stretch(bonds, s))
     {
         return result;
     }
@@ -104,7 +106,7 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
         IStringStream("tolerance 1e-9; maxIterations 100;")()
     );
     const integrators::implicitEuler integrator(numerics);
-    const integrator::externals free(type.size());
+    const externalForces free(type.size());
 
     scalar now = 0;
     forAll(times, k)
@@ -113,7 +115,7 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
         const label n = label(std::ceil(span/timeStep_ - 1e-9));
         for (label step = 0; step < n; ++step)
         {
-            integrator.advance(type, free, span/n, s);
+            integrator.advance(bonds, free, span/n, s);
         }
         now = times[k];
         result[0][k] = ratio(type, s);

@@ -18,11 +18,12 @@ namespace mechanicalTests
 
 Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
 (
-    const clumpType& type,
+    const clumpBonds& bonds,
     const UList<scalar>& forces,
     label* unstable
 ) const
 {
+    const clumpType& type = bonds.type();
     List<scalarField> result(2, scalarField(forces.size(), GREAT));
     const equilibrium solver;
     clumpState s(type);
@@ -37,7 +38,7 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
         (
             equilibrium::stretch(type, vector(forces[k], 0, 0))
         );
-        if (!solver.find(type, ext, s))
+        if (!solver.find(bonds, ext, s))
         {
             s = clumpState(type);
             continue;
@@ -53,7 +54,7 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
         if (unstable)
         {
             // Zero within the error of the differences: the rigid motions
-            const scalarField k(equilibrium::spectrum(type, ext, s));
+            const scalarField k(equilibrium::spectrum(bonds, ext, s));
             *unstable += k[0] < -1e-7*k.last();
         }
     }

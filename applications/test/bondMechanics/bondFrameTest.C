@@ -13,9 +13,9 @@ namespace
 {
 
 //- Scale of the bond forces for strains of order one
-scalar forceScale(const clumpType& type)
+scalar forceScale(const clumpBonds& bonds)
 {
-    const clumpType::bond& b = type.bonds()[0];
+    const clumpBonds::bond& b = bonds.bonds()[0];
     return b.stiffness.normal*b.length;
 }
 
@@ -26,11 +26,11 @@ TEST_CASE("bonds: a rigid motion leaves no force", "[bonds][serial]")
 {
     const string bond = GENERATE
     (
-        "type linearElastic;",
         "type elastic;",
         "type strainStiffening; stiffening 0.5;"
     );
-    const clumpType type("cell", cellDict("type dampingRatio; beta 1500;", bond));
+    const bondedClump clump("cell", cellDict("type dampingRatio; beta 1500;", bond));
+    const clumpType& type = clump.type;
     Random random(1);
 
     for (label trial = 0; trial < 20; ++trial)
@@ -50,11 +50,11 @@ TEST_CASE("bonds: a rigid motion leaves no force", "[bonds][serial]")
         s.setRigidMotion(type, vector(1, 2, 3), vector(100, -50, 30));
 
         vectorField F(type.size()), T(type.size());
-        const scalar energy = bondForces(type, start).explicitForces(s, F, T);
+        const scalar energy = bondForces(clump.bonds, start).explicitForces(s, F, T);
 
         // Coordinates of 1e-3 m carry an error of 1e-19 m: 1e-13 of a bond.
         // Damping multiplies rates of 1 m/s by c/K = 0.05 s.
-        const scalar scale = forceScale(type);
+        const scalar scale = forceScale(clump.bonds);
         CHECK(max(mag(F)) < 1e-9*scale);
         CHECK(max(mag(T)) < 1e-9*scale*type.radii()[0]);
         CHECK(energy < 1e-18*scale*type.radii()[0]);
@@ -64,7 +64,8 @@ TEST_CASE("bonds: a rigid motion leaves no force", "[bonds][serial]")
 
 TEST_CASE("bonds: neither net force nor net torque", "[bonds][serial]")
 {
-    const clumpType type("cell", cellDict());
+    const bondedClump clump("cell", cellDict());
+    const clumpType& type = clump.type;
     Random random(2);
 
     for (label trial = 0; trial < 20; ++trial)
@@ -74,7 +75,7 @@ TEST_CASE("bonds: neither net force nor net torque", "[bonds][serial]")
         disturb(type, s, 0.4, random);
 
         vectorField F(type.size()), T(type.size());
-        bondForces(type, start).explicitForces(s, F, T);
+        bondForces(clump.bonds, start).explicitForces(s, F, T);
 
         vector torque(sum(T));
         forAll(F, i)
@@ -91,18 +92,18 @@ TEST_CASE("bonds: forces are the gradient of the energy", "[bonds][serial]")
 {
     const string bond = GENERATE
     (
-        "type linearElastic;",
         "type elastic;",
         "type strainStiffening; stiffening 0.5;"
     );
-    const clumpType type("cell", cellDict("type none;", bond));
+    const bondedClump clump("cell", cellDict("type none;", bond));
+    const clumpType& type = clump.type;
     Random random(3);
 
     const clumpState start(type);
     clumpState s(start);
     disturb(type, s, 0.3, random);
 
-    const bondForces bonds(type, start);
+    const bondForces bonds(clump.bonds, start);
     const scalar dt = 1e-4;
     vectorField F(type.size()), T(type.size()), f(F), t(T);
     bonds.stepForces(s, dt, F, T);
@@ -132,7 +133,7 @@ TEST_CASE("bonds: forces are the gradient of the energy", "[bonds][serial]")
         {
             const scalar slope = (energyAt(i, c, h) - energyAt(i, c, -h))/(2*h);
             const scalar expected = c < 3 ? -r*F[i][c] : -T[i][c % 3];
-            CHECK(mag(slope - expected) < 1e-6*r*forceScale(type));
+            CHECK(mag(slope - expected) < 1e-6*r*forceScale(clump.bonds));
         }
     }
 }
@@ -142,11 +143,11 @@ TEST_CASE("bonds: the tangent is the derivative of the forces", "[bonds][serial]
 {
     const string bond = GENERATE
     (
-        "type linearElastic;",
         "type elastic;",
         "type strainStiffening; stiffening 0.5;"
     );
-    const clumpType type("cell", cellDict("type dampingRatio; beta 1500;", bond));
+    const bondedClump clump("cell", cellDict("type dampingRatio; beta 1500;", bond));
+    const clumpType& type = clump.type;
     Random random(4);
 
     // Any state: large stretch, bending and torsion, at the end of a step
@@ -155,12 +156,12 @@ TEST_CASE("bonds: the tangent is the derivative of the forces", "[bonds][serial]
     clumpState s(start);
     disturb(type, s, 0.5, random);
 
-    const bondForces bonds(type, start);
+    const bondForces bonds(clump.bonds, start);
     const scalar dt = 1e-3;
     const label n = 6*type.size();
     const scalar r = type.radii()[0];
     vectorField F(type.size()), T(type.size());
-    clumpTangent tangent(type);
+    clumpTangent tangent(clump.bonds.pattern());
     tangent.setZero();
     bonds.stepForces(s, dt, F, T, &tangent);
 

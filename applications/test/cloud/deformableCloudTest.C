@@ -117,7 +117,7 @@ TEST_CASE("cloud: walls of processors that become neighbours", "[cloud][walls]")
         (
             "types { pair { shape { type chain; nSpheres 2; spacing 0.6e-6;"
             " sphereRadius 0.3e-6; } density 1000; massModel union; motion free;"
-            " bondModel { type linearElastic; rigidities { normal 1e-15;"
+            " bondModel { type elastic; rigidities { normal 1e-15;"
             " tangential 1e-15; bending 1e-30; torsional 1e-30; } }"
             " dampingModel { type none; } } }"
             "placement { type list; clumps ({ type pair;"

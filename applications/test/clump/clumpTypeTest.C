@@ -85,16 +85,17 @@ TEST_CASE("union: the ring against Monte Carlo", "[union][serial]")
 
 TEST_CASE("type: masses, buoyancy, bonds of the red blood cell", "[type][serial]")
 {
-    const clumpType type("cell", cellDict());
+    const bondedClump clump("cell", cellDict());
+    const clumpType& type = clump.type;
 
     CHECK(type.mass() == Approx(1098*type.volume()).epsilon(1e-12));
     CHECK(sum(type.volumes()) == Approx(type.volume()).epsilon(1e-12));
-    CHECK(type.bonds().size() == 10);
+    CHECK(clump.bonds.bonds().size() == 10);
     CHECK(type.reach() == Approx(3.91e-6).epsilon(1e-12));
     CHECK(mag(sum(type.masses()*type.centres())) < 1e-12*type.mass()*type.reach());
 
     // l_b = 2 R sin(pi/N); K_n = E_b A_b/l_b with E_b A_b = 70 pN
-    const clumpType::bond& b = type.bonds()[3];
+    const clumpBonds::bond& b = clump.bonds.bonds()[3];
     CHECK(1e6*b.length == Approx(1.2082).epsilon(1e-4));
     CHECK(b.stiffness.normal*b.length == Approx(70e-12).epsilon(1e-3));
 
@@ -174,7 +175,7 @@ TEST_CASE("type: what is wrong is told", "[type][serial]")
             )
         );
     }
-    CHECK_THROWS(clumpType("cell", dict));
+    CHECK_THROWS(bondedClump("cell", dict));
 }
 
 

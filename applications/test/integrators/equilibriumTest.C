@@ -7,7 +7,6 @@
 #include "testCase.H"
 #include "equilibrium.H"
 #include "newtonMinimiser.H"
-#include "verletKernel.H"
 #include "clumpExtent.H"
 
 using namespace Foam;
@@ -17,21 +16,21 @@ TEST_CASE("equilibrium: forces balance on every sphere", "[equilibrium][serial]"
 {
     const string bond = GENERATE
     (
-        "type linearElastic;",
         "type elastic;",
         "type strainStiffening; stiffening 0.5;"
     );
-    const clumpType type("cell", cellDict("type none;", bond));
+    const bondedClump clump("cell", cellDict("type none;", bond));
+    const clumpType& type = clump.type;
     const vector pull(1e-10, 0, 0);
     const auto ext(equilibrium::stretch(type, pull));
     CHECK(mag(sum(ext.f)) < 1e-24);
     CHECK(mag(ext.f[0] - pull) < 1e-22);
 
     clumpState s(type);
-    REQUIRE(equilibrium().find(type, ext, s));
+    REQUIRE(equilibrium().find(clump.bonds, ext, s));
 
     vectorField F(type.size()), T(type.size());
-    bondForces(type, s).stepForces(s, 0, F, T);
+    bondForces(clump.bonds, s).stepForces(s, 0, F, T);
     CHECK(max(mag(F + ext.f)) < 1e-9*mag(pull));
     CHECK(max(mag(T)) < 1e-9*mag(pull)*type.reach());
 }
@@ -39,15 +38,16 @@ TEST_CASE("equilibrium: forces balance on every sphere", "[equilibrium][serial]"
 
 TEST_CASE("equilibrium: Newton's method converges quadratically", "[equilibrium][serial]")
 {
-    const clumpType type("cell", cellDict("type none;"));
+    const bondedClump clump("cell", cellDict("type none;"));
+    const clumpType& type = clump.type;
     Random random(12);
 
     // A bent and twisted state in space, held by the forces it needs
     clumpState held(type);
     disturb(type, held, 0.1, random);
     vectorField F(type.size()), T(type.size());
-    bondForces(type, held).stepForces(held, 0, F, T);
-    integrator::externals ext(type.size());
+    bondForces(clump.bonds, held).stepForces(held, 0, F, T);
+    externalForces ext(type.size());
     ext.f = -F;
     ext.t = -T;
 
@@ -55,9 +55,9 @@ TEST_CASE("equilibrium: Newton's method converges quadratically", "[equilibrium]
     clumpState s(held);
     disturb(type, s, 0.001, random);
     const clumpState start(held);
-    const incrementalPotential potential(type, ext, 0, start);
+    const incrementalPotential potential(clump.bonds, ext, 0, start);
     Eigen::VectorXd g(6*type.size());
-    clumpTangent K(type);
+    clumpTangent K(clump.bonds.pattern());
     scalarField sizes(4);
     for (scalar& size : sizes)
     {
@@ -107,15 +107,16 @@ TEST_CASE("tangent: sparse factorisation solves the dense system", "[tangent][se
             "volume { type unionVolume; volumeModulus 1e4; }"
         )
     );
-    const clumpType type("clump", GENERATE(true, false) ? shell : ring);
+    const bondedClump clump("clump", GENERATE(true, false) ? shell : ring);
+    const clumpType& type = clump.type;
 
     Random random(13);
     clumpState s(type);
     disturb(type, s, 0.1, random);
     vectorField F(type.size()), T(type.size());
-    clumpTangent K(type);
+    clumpTangent K(clump.bonds.pattern());
     K.setZero();
-    bondForces(type, s).stepForces(s, 0, F, T, &K);
+    bondForces(clump.bonds, s).stepForces(s, 0, F, T, &K);
 
     const scalar shift = 1e-4;
     const scalar turn = shift*sqr(type.radii()[0]);
@@ -133,25 +134,22 @@ TEST_CASE("tangent: sparse factorisation solves the dense system", "[tangent][se
 }
 
 
-TEST_CASE("verlet kernel: the forces of bondForces", "[verlet][serial]")
+TEST_CASE("velocity-Verlet: acceleration is force over mass", "[verlet][serial]")
 {
     const string bond = GENERATE
     (
-        "type linearElastic;", "type elastic;",
+        "type elastic;",
         "type strainStiffening; stiffening 0.5;"
     );
     const string damping = GENERATE("type none;", "type dampingRatio; beta 2;");
     const scalar size = GENERATE(0.05, 1.5);
-    const clumpType type("cell", cellDict(damping, bond));
+    const bondedClump clump("cell", cellDict(damping, bond));
+    const clumpType& type = clump.type;
 
     Random random(14);
     clumpState s(type, randomRotation(random));
     disturb(type, s, size, random);
-    for (vector& n : s.n)
-    {
-        n += 1e-12*randomVector(random);
-    }
-    integrator::externals ext(type.size());
+    externalForces ext(type.size());
     forAll(ext.f, i)
     {
         ext.f[i] = 1e-12*randomVector(random);
@@ -162,15 +160,15 @@ TEST_CASE("verlet kernel: the forces of bondForces", "[verlet][serial]")
     }
 
     vectorField F(type.size()), T(type.size());
-    bondForces(type, s).explicitForces(s, F, T);
+    bondForces(clump.bonds, s).explicitForces(s, F, T);
 
-    // Over a step that is next to nothing the velocities change by force over mass
+    // In a step that is short against every time scale of the clump
     const scalar h = 1e-16;
     clumpState after(s);
-    verletKernel kernel(type);
-    kernel.load(s, ext);
-    kernel.advance(1, h);
-    kernel.store(after);
+    selectModel<integrator>
+    (
+        dictOf("type velocityVerlet; stepFraction 0.2;")
+    )->advance(clump.bonds, ext, h, after);
 
     scalar worst = 0, scale = 0;
     forAll(F, i)
@@ -195,7 +193,8 @@ TEST_CASE("verlet kernel: the forces of bondForces", "[verlet][serial]")
 TEST_CASE("extent: the outline reads a circle for any number of spheres", "[extent][serial]")
 {
     const label n = GENERATE(6, 8, 10, 16);
-    const clumpType type("cell", cellDict("type none;", "type elastic;", n));
+    const bondedClump clump("cell", cellDict("type none;", "type elastic;", n));
+    const clumpType& type = clump.type;
     const scalar D = 4*1.955e-6;
 
     for (const vector& d : {vector(1, 0, 0), vector(0, 1, 0), vector(0.6, 0.8, 0)})

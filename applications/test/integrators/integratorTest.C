@@ -29,11 +29,12 @@ autoPtr<integrator> explicitOne()
     );
 }
 
-scalar energy(const clumpType& type, const clumpState& s)
+scalar energy(const clumpBonds& bonds, const clumpState& s)
 {
+    const clumpType& type = bonds.type();
     vectorField F(type.size()), T(type.size());
     return
-        s.kineticEnergy(type) + bondForces(type, s).stepForces(s, -1, F, T);
+        s.kineticEnergy(type) + bondForces(bonds, s).stepForces(s, -1, F, T);
 }
 
 }
@@ -47,20 +48,21 @@ TEST_CASE("integrators: passive motion never gains energy", "[energy][serial]")
         "type none;", "type dampingRatio; beta 1500;",
         "type kelvinVoigt; timeConstant 0.08;"
     );
-    const clumpType type("cell", cellDict(damping));
+    const bondedClump clump("cell", cellDict(damping));
+    const clumpType& type = clump.type;
     const autoPtr<integrator> euler(implicitOne());
     Random random(8);
 
     clumpState s(type);
     disturb(type, s, 0.3, random);
-    const integrator::externals nothing(type.size());
-    const scalar first = energy(type, s);
+    const externalForces nothing(type.size());
+    const scalar first = energy(clump.bonds, s);
     scalar before = first;
 
     for (label step = 0; step < 100; ++step)
     {
-        euler->advance(type, nothing, dt, s);
-        const scalar now = energy(type, s);
+        euler->advance(clump.bonds, nothing, dt, s);
+        const scalar now = energy(clump.bonds, s);
         REQUIRE(now <= before + 1e-12*first);
         before = now;
     }
@@ -69,7 +71,8 @@ TEST_CASE("integrators: passive motion never gains energy", "[energy][serial]")
 
 TEST_CASE("integrators: momentum changes by the impulse alone", "[momentum][serial]")
 {
-    const clumpType type("cell", cellDict());
+    const bondedClump clump("cell", cellDict());
+    const clumpType& type = clump.type;
     const autoPtr<integrator> method
     (
         GENERATE(true, false) ? implicitOne() : explicitOne()
@@ -85,7 +88,7 @@ TEST_CASE("integrators: momentum changes by the impulse alone", "[momentum][seri
         return c.angularMomentum(type);
     };
 
-    integrator::externals ext(type.size());
+    externalForces ext(type.size());
     SECTION("free")
     {}
     SECTION("forced")
@@ -103,7 +106,7 @@ TEST_CASE("integrators: momentum changes by the impulse alone", "[momentum][seri
     for (label step = 0; step < 20; ++step)
     {
         const clumpState before(s);
-        method->advance(type, ext, dt, s);
+        method->advance(clump.bonds, ext, dt, s);
         const point centre(s.centre(type));
         forAll(ext.f, i)
         {
@@ -123,7 +126,8 @@ TEST_CASE("integrators: momentum changes by the impulse alone", "[momentum][seri
 
 TEST_CASE("integrators: implicit and explicit agree on small steps", "[verlet][serial]")
 {
-    const clumpType type("cell", cellDict("type kelvinVoigt; timeConstant 1e-6;"));
+    const bondedClump clump("cell", cellDict("type kelvinVoigt; timeConstant 1e-6;"));
+    const clumpType& type = clump.type;
     Random random(10);
 
     clumpState a(type);
@@ -133,21 +137,21 @@ TEST_CASE("integrators: implicit and explicit agree on small steps", "[verlet][s
     }
     clumpState b(a), c(a);
     const clumpState start(a);
-    const integrator::externals nothing(type.size());
+    const externalForces nothing(type.size());
 
     // First order: half the step, half the error
     const scalar t = 2e-6;
     for (label k = 0; k < 100; ++k)
     {
-        implicitOne()->advance(type, nothing, t/100, a);
+        implicitOne()->advance(clump.bonds, nothing, t/100, a);
     }
     for (label k = 0; k < 200; ++k)
     {
-        implicitOne()->advance(type, nothing, t/200, b);
+        implicitOne()->advance(clump.bonds, nothing, t/200, b);
     }
     for (label k = 0; k < 1000; ++k)
     {
-        explicitOne()->advance(type, nothing, t/1000, c);
+        explicitOne()->advance(clump.bonds, nothing, t/1000, c);
     }
 
     const scalar moved = max(mag(c.x - start.x));
@@ -161,8 +165,9 @@ TEST_CASE("integrators: implicit and explicit agree on small steps", "[verlet][s
 
 TEST_CASE("integrators: equilibrium does not depend on the step", "[equilibrium][serial]")
 {
-    const clumpType type("cell", cellDict("type kelvinVoigt; timeConstant 1e-3;"));
-    integrator::externals ext(type.size());
+    const bondedClump clump("cell", cellDict("type kelvinVoigt; timeConstant 1e-3;"));
+    const clumpType& type = clump.type;
+    externalForces ext(type.size());
     ext.f[0] = vector(100e-12, 0, 0);
     ext.f[5] = -ext.f[0];
 
@@ -171,7 +176,7 @@ TEST_CASE("integrators: equilibrium does not depend on the step", "[equilibrium]
         clumpState s(type);
         for (scalar now = 0; now < t; now += dt)
         {
-            implicitOne()->advance(type, ext, dt, s);
+            implicitOne()->advance(clump.bonds, ext, dt, s);
         }
         return mag(s.x[0] - s.x[5]);
     };
@@ -186,15 +191,16 @@ TEST_CASE("integrators: equilibrium does not depend on the step", "[equilibrium]
 
 TEST_CASE("integrators: undamped velocity-Verlet keeps its energy", "[verlet][serial]")
 {
-    const clumpType type("cell", cellDict("type none;"));
+    const bondedClump clump("cell", cellDict("type none;"));
+    const clumpType& type = clump.type;
     Random random(11);
     clumpState start(type);
     forAll(start.u, i)
     {
         start.u[i] = 0.02*randomVector(random);
     }
-    const scalar first = energy(type, start);
-    const integrator::externals nothing(type.size());
+    const scalar first = energy(clump.bonds, start);
+    const externalForces nothing(type.size());
 
     // Bounded, and second order: half the step, a quarter of the error
     const auto worst = [&](const string& fraction)
@@ -210,8 +216,8 @@ TEST_CASE("integrators: undamped velocity-Verlet keeps its energy", "[verlet][se
         scalar error = 0;
         for (label k = 0; k < 200; ++k)
         {
-            verlet->advance(type, nothing, 1e-6, s);
-            error = max(error, mag(energy(type, s) - first));
+            verlet->advance(clump.bonds, nothing, 1e-6, s);
+            error = max(error, mag(energy(clump.bonds, s) - first));
         }
         return error/first;
     };
@@ -224,7 +230,8 @@ TEST_CASE("integrators: undamped velocity-Verlet keeps its energy", "[verlet][se
 
 TEST_CASE("integrators: coincident and inverted spheres are no singularity", "[hard][serial]")
 {
-    const clumpType type("cell", cellDict("type kelvinVoigt; timeConstant 1e-3;"));
+    const bondedClump clump("cell", cellDict("type kelvinVoigt; timeConstant 1e-3;"));
+    const clumpType& type = clump.type;
     clumpState s(type);
 
     SECTION("all spheres at one point")
@@ -243,13 +250,13 @@ TEST_CASE("integrators: coincident and inverted spheres are no singularity", "[h
         s.x *= -0.5;
     }
 
-    const integrator::externals nothing(type.size());
-    const scalar before = energy(type, s);
+    const externalForces nothing(type.size());
+    const scalar before = energy(clump.bonds, s);
     for (label step = 0; step < 200; ++step)
     {
-        implicitOne()->advance(type, nothing, 1e-4, s);
+        implicitOne()->advance(clump.bonds, nothing, 1e-4, s);
     }
-    CHECK(energy(type, s) < 0.5*before);
+    CHECK(energy(clump.bonds, s) < 0.5*before);
     CHECK(max(mag(s.x - s.centre(type))) < 2*type.reach());
 }
 
@@ -259,13 +266,14 @@ TEST_CASE("integrators: explicit steps follow a stiff conservation model", "[ene
     // Moduli that are soft, as stiff as the bonds, and far stiffer
     const string modulus = GENERATE("1e-5", "1e-3", "0.1", "10");
     const label n = GENERATE(6, 10, 32);
-    dictionary dict(cellDict("type none;", "type linearElastic;", n));
+    dictionary dict(cellDict("type none;", "type elastic;", n));
     dict.add
     (
         "conservationModel",
         dictOf("type enclosedArea; areaModulus " + modulus + ";")
     );
-    const clumpType type("cell", dict);
+    const bondedClump clump("cell", dict);
+    const clumpType& type = clump.type;
     const integrators::velocityVerlet verlet
     (
         dictOf("type velocityVerlet; stepFraction 0.9;")
@@ -274,17 +282,17 @@ TEST_CASE("integrators: explicit steps follow a stiff conservation model", "[ene
     clumpState s(type);
     Random random(41);
     disturb(type, s, 0.02, random);
-    const integrator::externals nothing(type.size());
-    const scalar first = energy(type, s);
+    const externalForces nothing(type.size());
+    const scalar first = energy(clump.bonds, s);
     INFO("area modulus " << modulus << " N/m, " << n << " spheres");
 
     // Two hundred sub-steps in twenty advances, longer than the bonds allow
-    const scalar dt = 10*verlet.stableStep(type, nothing, s.x);
+    const scalar dt = 10*verlet.stableStep(clump.bonds, nothing, s.x);
     scalar largest = 0;
     for (label step = 0; step < 20; ++step)
     {
-        verlet.advance(type, nothing, dt, s);
-        largest = max(largest, energy(type, s));
+        verlet.advance(clump.bonds, nothing, dt, s);
+        largest = max(largest, energy(clump.bonds, s));
     }
     CHECK(largest < 2*first);
 }

@@ -18,7 +18,7 @@ using namespace Foam;
 namespace
 {
 
-clumpType make(const string& shape, const line& l)
+dictionary make(const string& shape, const line& l)
 {
     OStringStream os;
     os.precision(17);
@@ -28,13 +28,13 @@ clumpType make(const string& shape, const line& l)
         << l.EA << "; tangential " << l.GA << "; bending " << l.EI
         << "; torsional " << l.GJ << "; } }"
         << "dampingModel { " << l.damping.c_str() << " }";
-    return clumpType("line", dictionary(IStringStream(os.str())()));
+    return dictionary(IStringStream(os.str())());
 }
 
 }
 
 
-Foam::clumpType Foam::chainOf
+Foam::dictionary Foam::chainOf
 (
     const label n,
     const scalar length,
@@ -48,7 +48,7 @@ Foam::clumpType Foam::chainOf
 }
 
 
-Foam::clumpType Foam::ringOf
+Foam::dictionary Foam::ringOf
 (
     const label n,
     const scalar radius,

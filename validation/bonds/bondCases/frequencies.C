@@ -15,17 +15,19 @@ namespace
 //  and how much of a mode is motion out of the x-y plane
 void modes
 (
-    const clumpType& type,
+    const dictionary& dict,
     scalarField& omega,
     scalarField& outOfPlane
 )
 {
+    const bondedClump clump("line", dict);
+    const clumpType& type = clump.type;
     const clumpState s(type);
     const label n = 6*type.size();
     vectorField F(type.size()), T(type.size());
-    clumpTangent K(type);
+    clumpTangent K(clump.bonds.pattern());
     K.setZero();
-    bondForces(type, s).stepForces(s, 0, F, T, &K);
+    bondForces(clump.bonds, s).stepForces(s, 0, F, T, &K);
 
     Eigen::VectorXd scale(n);
     for (label i = 0; i < type.size(); ++i)

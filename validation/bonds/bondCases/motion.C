@@ -19,15 +19,16 @@ autoPtr<integrator> select(const char* text)
 }
 
 
-scalar energyOf(const clumpType& type, const clumpState& s)
+scalar energyOf(const bondedClump& clump, const clumpState& s)
 {
-    vectorField F(type.size()), T(type.size());
+    vectorField F(s.x.size()), T(s.x.size());
     return
-        s.kineticEnergy(type) + bondForces(type, s).stepForces(s, 0, F, T);
+        s.kineticEnergy(clump.type)
+      + bondForces(clump.bonds, s).stepForces(s, 0, F, T);
 }
 
 
-clumpType cell(const string& damping)
+dictionary cell(const string& damping)
 {
     line l;
     l.EA = 91.4e-12;
@@ -41,8 +42,8 @@ clumpType cell(const string& damping)
 }
 
 
-//- Every sphere its own velocity and angular velocity; the clump as a whole stays where it is, as
-//  in the solver, where positions are relative to the parcel
+//- Give every sphere a velocity and an angular velocity of its own, without
+//  moving the clump as a whole: positions are relative to it, as in the solver
 void excite(const clumpType& type, clumpState& s, const scalar speed)
 {
     Random random(5);
@@ -63,18 +64,20 @@ void Foam::motion(const label nSteps)
 {
     // Undamped free flight with explicit steps
     {
-        const clumpType type(cell("type none;"));
+        const bondedClump clump("cell", cell("type none;"));
+        const clumpType& type = clump.type;
         const auto method(select("type velocityVerlet; stepFraction 1;"));
-        const integrator::externals nothing(type.size());
+        const externalForces nothing(type.size());
         const auto& verlet = refCast<const integrators::velocityVerlet>(*method);
-        const scalar dt = 0.05*verlet.stableStep(type, nothing, type.centres());
+        const scalar dt =
+            0.05*verlet.stableStep(clump.bonds, nothing, type.centres());
 
         clumpState s(type);
         excite(type, s, 0.01);
         const vector P(s.velocity(type)*type.mass());
         const vector L(s.angularMomentum(type));
         const scalar pScale = type.mass()*max(mag(s.u));
-        const scalar first = energyOf(type, s);
+        const scalar first = energyOf(clump, s);
 
         // Means over the first and the last tenth: fluctuations cancel
         const label block = nSteps/10/100;
@@ -83,9 +86,9 @@ void Foam::motion(const label nSteps)
         {
             for (label j = 0; j < 100; ++j)
             {
-                verlet.advance(type, nothing, dt, s);
+                verlet.advance(clump.bonds, nothing, dt, s);
             }
-            const scalar E = energyOf(type, s);
+            const scalar E = energyOf(clump, s);
             worst = max(worst, mag(E/first - 1));
             begin += (k < block ? E/block : 0);
             end += (k >= nSteps/100 - block ? E/block : 0);
@@ -111,8 +114,9 @@ void Foam::motion(const label nSteps)
     );
     for (const scalar dt : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3})
     {
-        const clumpType type(cell("type dampingRatio; beta 1500;"));
-        const integrator::externals nothing(type.size());
+        const bondedClump clump("cell", cell("type dampingRatio; beta 1500;"));
+        const clumpType& type = clump.type;
+        const externalForces nothing(type.size());
         clumpState s(type);
         excite(type, s, 1e-3);
         for (point& x : s.x)
@@ -120,13 +124,13 @@ void Foam::motion(const label nSteps)
             x.x() *= 1.3;
         }
         const vector L(s.angularMomentum(type));
-        const scalar first = energyOf(type, s);
+        const scalar first = energyOf(clump, s);
         const scalar lScale = type.mass()*max(mag(s.u))*type.reach();
         scalar before = first, rise = 0;
         for (label k = 0; k < 300; ++k)
         {
-            euler->advance(type, nothing, dt, s);
-            const scalar now = energyOf(type, s);
+            euler->advance(clump.bonds, nothing, dt, s);
+            const scalar now = energyOf(clump, s);
             rise = max(rise, (now - before)/first);
             before = now;
         }
@@ -137,21 +141,22 @@ void Foam::motion(const label nSteps)
             mag(s.angularMomentum(type) - L)/lScale
         );
 
-        // The equilibrium under 100 pN, awaited: with a time constant of ten
-        // steps, but near the critical damping of the slowest swing at least
+        // Steps until the equilibrium under 100 pN is reached. The time constant is
+        // ten steps, but at least about that of critical damping of the slowest
+        // oscillation
         OStringStream damping;
         damping << "type kelvinVoigt; timeConstant " << max(10*dt, 1.5e-4) << ';';
-        const clumpType quick(cell(damping.str()));
-        const auto ext(equilibrium::stretch(quick, vector(1e-10, 0, 0)));
-        clumpState still(quick), moving(quick);
-        if (!equilibrium().find(quick, ext, still))
+        const bondedClump quick("cell", cell(damping.str()));
+        const auto ext(equilibrium::stretch(quick.type, vector(1e-10, 0, 0)));
+        clumpState still(quick.type), moving(quick.type);
+        if (!equilibrium().find(quick.bonds, ext, still))
         {
             FatalErrorInFunction << "No equilibrium" << exit(FatalError);
         }
         for (label k = 0; k < 300000; ++k)
         {
-            euler->advance(quick, ext, dt, moving);
-            if (max(mag(moving.u))*dt < 1e-12*min(1.0, dt/1e-5)*quick.reach())
+            euler->advance(quick.bonds, ext, dt, moving);
+            if (max(mag(moving.u))*dt < 1e-12*min(1.0, dt/1e-5)*quick.type.reach())
             {
                 break;
             }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bondCases.H"
+#include "bondFrame.H"
 
 using namespace Foam;
 
@@ -13,20 +14,22 @@ namespace
 //- Equilibrium under loads that grow in steps
 clumpState equilibriumOf
 (
-    const clumpType& type,
-    const integrator::externals& ext,
+    const bondedClump& clump,
+    const externalForces& ext,
     const label nSteps = 10
 )
 {
-    clumpState s(type);
+    clumpState s(clump.type);
     for (label k = 1; k <= nSteps; ++k)
     {
-        integrator::externals part(ext);
+        externalForces part(ext);
         part.f *= scalar(k)/nSteps;
         part.t *= scalar(k)/nSteps;
-        if (!equilibrium().find(type, part, s))
+        if (!equilibrium().find(clump.bonds, part, s))
         {
-            FatalErrorInFunction << "No equilibrium at part " << k << " of " << nSteps << exit(FatalError);
+            FatalErrorInFunction
+                << "No equilibrium at load step " << k << " of " << nSteps
+                << exit(FatalError);
         }
     }
     return s;
@@ -40,11 +43,11 @@ scalar cantilever(const label n, const scalar P, const string& bond)
     line l;
     l.EA = l.GA = 1e6;
     l.bond = bond;
-    const clumpType type(chainOf(2*n + 1, 2, l));
-    integrator::externals ext(type.size());
+    const bondedClump clump("line", chainOf(2*n + 1, 2, l));
+    externalForces ext(clump.type.size());
     ext.f[0].y() = ext.f[2*n].y() = P;
     ext.f[n].y() = -2*P;
-    const clumpState s(equilibriumOf(type, ext));
+    const clumpState s(equilibriumOf(clump, ext));
     return s.x[0].y() - s.x[n].y();
 }
 
@@ -68,10 +71,10 @@ void Foam::statics()
         line l;
         l.EA = l.GA = 1e6;
         l.bond = "timoshenko";
-        const clumpType type(ringOf(n, 1, l));
+        const bondedClump clump("line", ringOf(n, 1, l));
         const scalar P = 1e-3;
-        const auto ext(equilibrium::stretch(type, vector(P, 0, 0)));
-        const clumpState s(equilibriumOf(type, ext, 1));
+        const auto ext(equilibrium::stretch(clump.type, vector(P, 0, 0)));
+        const clumpState s(equilibriumOf(clump, ext, 1));
         print("ring loaded", P, n, (mag(s.x[n/2] - s.x[0]) - 2)/P);
         if (n % 4 == 0)
         {
@@ -85,11 +88,11 @@ void Foam::statics()
         line l;
         l.EA = l.GA = 1e6;
         l.GJ = 0.5;
-        const clumpType type(chainOf(n + 1, 1, l));
-        integrator::externals ext(type.size());
+        const bondedClump clump("line", chainOf(n + 1, 1, l));
+        externalForces ext(clump.type.size());
         ext.t[0].x() = -0.25;
         ext.t[n].x() = 0.25;
-        const clumpState s(equilibriumOf(type, ext, 1));
+        const clumpState s(equilibriumOf(clump, ext, 1));
         print
         (
             "torsion", 0.25, n,
@@ -104,12 +107,12 @@ void Foam::statics()
         l.EA = 50;
         l.GA = 20;
         l.bond = "timoshenko";
-        const clumpType type(chainOf(2*n + 1, 2, l));
+        const bondedClump clump("line", chainOf(2*n + 1, 2, l));
         const scalar P = 1e-4;
-        integrator::externals ext(type.size());
+        externalForces ext(clump.type.size());
         ext.f[0].y() = ext.f[2*n].y() = P;
         ext.f[n].y() = -2*P;
-        const clumpState s(equilibriumOf(type, ext, 1));
+        const clumpState s(equilibriumOf(clump, ext, 1));
         print("timoshenko beam", P, n, (s.x[0].y() - s.x[n].y())/P);
     }
 }

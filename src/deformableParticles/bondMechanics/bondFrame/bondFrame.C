@@ -18,7 +18,7 @@ inline void halfAngleOverSine
     Foam::scalar& g
 )
 {
-    // Beyond, in bonds turned by more than 1.3 rad, the series is slow
+    // For relative rotations above 1.3 rad the series converges slowly
     if (t > 0.1)
     {
         f = halfAngle/Foam::sin(halfAngle);
@@ -26,7 +26,7 @@ inline void halfAngleOverSine
         return;
     }
 
-    // Terms until they fall below rounding
+    // Terms down to rounding
     Foam::scalar term = 2.0/3.0;
     g = term;
     for (int k = 2; term > 1e-17 && k < 20; ++k)
@@ -103,7 +103,7 @@ Foam::bondFrame::bondFrame
     c_ = -1/(4*h_*(1 + w));
     k_ = -g/(8*sqr(h_)*(1 + w));
 
-    // Half the way is the normalised sum
+    // The mean orientation is the normalised sum
     const scalar w0 = qi.w() + sign*qj.w();
     const vector v0(a + sign*b);
     const scalar n2 = 2/(sqr(w0) + magSqr(v0));

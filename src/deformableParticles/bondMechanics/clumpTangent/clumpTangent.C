@@ -84,9 +84,9 @@ inline void backward(const block& L, double* x)
 }
 
 
-Foam::clumpTangent::clumpTangent(const clumpType& type)
+Foam::clumpTangent::clumpTangent(const sparsityPattern& pattern)
 :
-    pattern_(type.pattern()),
+    pattern_(pattern),
     values_(pattern_.nBlocks()),
     factor_(pattern_.nBlocks())
 {}

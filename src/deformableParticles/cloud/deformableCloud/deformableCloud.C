@@ -294,7 +294,7 @@ void Foam::deformableCloud::advance
     {
         coupling_->divideInterior(p, h, dt, ext);
     }
-    integrator_->advance(ct, ext, h, end);
+    integrator_->advance(bonds(p), ext, h, end);
     momentum_.addStep(ct, ext, x0, u0, end, h/dt);
 }
 

@@ -178,6 +178,7 @@ void Foam::deformableCloud::readTypes()
             << exit(FatalIOError);
     }
     types_.setSize(names.size());
+    bonds_.setSize(names.size());
 
     forAll(names, i)
     {
@@ -193,6 +194,7 @@ void Foam::deformableCloud::readTypes()
             type.remove("conservationModels");
         }
         types_.set(i, new clumpType(names[i], type));
+        bonds_.set(i, new clumpBonds(types_[i], type));
         typeIds_.insert(names[i], i);
     }
 }

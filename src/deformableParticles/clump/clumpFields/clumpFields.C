@@ -27,9 +27,7 @@ const listField listFields[] =
     {"velocities", &clumpState::u},
     {"angularVelocities", &clumpState::w},
     {"accelerations", &clumpState::a},
-    {"angularAccelerations", &clumpState::b},
-    {"bondForces", &clumpState::n},
-    {"bondMoments", &clumpState::m}
+    {"angularAccelerations", &clumpState::b}
 };
 
 //- Fatal, naming the file and the clump
@@ -95,9 +93,15 @@ Field<Type> readValues(const Cloud<clumpParcel>& c, const word& name)
     return field;
 }
 
-//- Lists as long as the clump's own, which they replace
+//- Lists as long as the clump's own, which they replace; some may be empty
 template<class Type, class Getter>
-void readLists(Cloud<clumpParcel>& c, const word& name, const Getter& own)
+void readLists
+(
+    Cloud<clumpParcel>& c,
+    const word& name,
+    const Getter& own,
+    const bool mayBeEmpty = false
+)
 {
     const compactFieldReader<Type> file
     (
@@ -111,7 +115,7 @@ void readLists(Cloud<clumpParcel>& c, const word& name, const Getter& own)
         const Field<Type>& list = file.lists()[i++];
         Field<Type>& field = own(p);
 
-        if (list.size() != field.size())
+        if (list.size() != field.size() && !(mayBeEmpty && list.empty()))
         {
             refuse
             (
@@ -254,6 +258,7 @@ void Foam::clumpFields::read
             );
         }
         p.state_ = clumpState(types[p.typeId_]);
+        p.state_.broken.setSize(types[p.typeId_].pairs().size(), 0);
         p.couplingFactor_ = factors[i];
         p.overshoots_ = overshoots[i];
         ++i;
@@ -293,7 +298,8 @@ void Foam::clumpFields::read
     readLists<scalar>
     (
         c, "brokenBonds",
-        [](clumpParcel& p) -> scalarField& { return p.state_.broken; }
+        [](clumpParcel& p) -> scalarField& { return p.state_.broken; },
+        true
     );
 
     // Four numbers a sphere

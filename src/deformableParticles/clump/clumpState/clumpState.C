@@ -15,9 +15,6 @@ Foam::clumpState::clumpState
     u(type.size(), Zero),
     q(type.size(), orientation),
     w(type.size(), Zero),
-    n(type.incremental() ? type.bonds().size() : 0, Zero),
-    m(n.size(), Zero),
-    broken(type.breakable() ? type.bonds().size() : 0, Zero),
     a(type.size(), Zero),
     b(type.size(), Zero)
 {
@@ -104,8 +101,7 @@ void Foam::clumpState::setRigidMotion
 Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 {
     os  << s.x << token::SPACE << s.u << token::SPACE << s.q << token::SPACE
-        << s.w << token::SPACE << s.n << token::SPACE << s.m << token::SPACE
-        << s.a << token::SPACE << s.b << token::SPACE << s.broken;
+        << s.w << token::SPACE << s.a << token::SPACE << s.b << token::SPACE << s.broken;
     os.check(FUNCTION_NAME);
     return os;
 }
@@ -113,7 +109,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpState& s)
 {
-    is >> s.x >> s.u >> s.q >> s.w >> s.n >> s.m >> s.a >> s.b >> s.broken;
+    is >> s.x >> s.u >> s.q >> s.w >> s.a >> s.b >> s.broken;
     is.check(FUNCTION_NAME);
     return is;
 }

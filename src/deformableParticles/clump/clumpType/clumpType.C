@@ -11,9 +11,10 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 :
     name_(name),
     density_(getPositive(dict, "density")),
-    restVolume_(0),
+    smoothVolume_(0),
     fixed_(false)
 {
+    // The last four are those of clumpBonds
     checkEntries
     (
         dict,
@@ -27,6 +28,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     const auto geometry(clumpShapes::shape::New(getDict(dict, "shape")));
     centres_ = geometry->centres();
     radii_ = geometry->radii();
+    pairs_ = geometry->bonds();
 
     const word motion(dict.get<word>("motion"));
     if (motion != "free" && motion != "fixed")
@@ -41,48 +43,12 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 
     setMasses(dict);
 
-    // That of spheres far too small may be zero, with massModel fullSpheres
+    // With massModel fullSpheres the volume may underflow to zero
     nominalVolume_ =
         dict.found("nominalVolume")
       ? getPositive(dict, "nominalVolume") : volume_;
 
     reach_ = max(mag(centres_) + radii_);
-
-    setBonds(geometry->bonds(), dict);
-
-    setConservation(dict);
-}
-
-
-void Foam::clumpType::setConservation(const dictionary& dict)
-{
-    const auto add = [&](const dictionary& d)
-    {
-        auto model(selectModel<conservationModel>(d, centres_, radii_));
-        if (model->active())
-        {
-            conservation_.append(model.ptr());
-        }
-    };
-
-    if (dict.found("conservationModel"))
-    {
-        if (dict.found("conservationModels"))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Give either conservationModel or conservationModels"
-                << exit(FatalIOError);
-        }
-        add(getDict(dict, "conservationModel"));
-    }
-    else if (dict.found("conservationModels"))
-    {
-        const dictionary& models = getDict(dict, "conservationModels");
-        for (const word& name : models.toc())
-        {
-            add(getDict(models, name));
-        }
-    }
 }
 
 
@@ -102,9 +68,10 @@ void Foam::clumpType::setMasses(const dictionary& dict)
         if (!(V > 0))
         {
             FatalIOErrorInFunction(dict)
-                << "Entry 'shape': spheres of " << min(radii_) << " m, up to "
-                << max(mag(centres_)) << " m from the origin, are too small for"
-                << " their volume to be told from zero" << exit(FatalIOError);
+                << "Entry 'shape': the spheres have radii down to "
+                << min(radii_) << " m and lie up to " << max(mag(centres_))
+                << " m from the origin; their volume is too small to be told"
+                << " from zero" << exit(FatalIOError);
         }
     }
     else if (massModel == "fullSpheres")
@@ -126,7 +93,7 @@ void Foam::clumpType::setMasses(const dictionary& dict)
 
     centres_ -= sum(masses_*centres_)/sum(masses_);
     vectorField grad(size());
-    restVolume_ = sphereUnion::volume(centres_, radii_, grad);
+    smoothVolume_ = sphereUnion::smoothVolume(centres_, radii_, grad);
 }
 
 
@@ -137,57 +104,5 @@ Foam::scalar Foam::clumpType::relativeVolume(const pointField& x) const
         return 1;
     }
     vectorField grad(size());
-    return sphereUnion::volume(x, radii_, grad)/restVolume_;
-}
-
-
-void Foam::clumpType::setBonds
-(
-    const List<labelPair>& pairs,
-    const dictionary& dict
-)
-{
-    pattern_ = sparsityPattern(size(), pairs);
-
-    if (pairs.empty())
-    {
-        return;
-    }
-
-    bondModel_ = selectModel<bondModel>(getDict(dict, "bondModel"));
-    dampingModel_ = selectModel<dampingModel>(getDict(dict, "dampingModel"));
-
-    bonds_.setSize(pairs.size());
-
-    forAll(pairs, b)
-    {
-        const label i = pairs[b].first();
-        const label j = pairs[b].second();
-        const vector d(centres_[j] - centres_[i]);
-        const scalar length = mag(d);
-
-        if (length < SMALL*max(radii_[i], radii_[j]))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Bond " << b << " joins spheres " << i << " and " << j
-                << " at the same place" << exit(FatalIOError);
-        }
-
-        const bondCoefficients k
-        (
-            bondModel_->stiffness(length, 0.5*(radii_[i] + radii_[j]))
-        );
-
-        bonds_[b] =
-        {
-            i, j, d/length, length, k,
-            dampingModel_->coefficients
-            (
-                k,
-                0.5*(masses_[i] + masses_[j]),
-                0.5*(inertias_[i] + inertias_[j])
-            ),
-            0.5*(radii_[i] + radii_[j])
-        };
-    }
+    return sphereUnion::smoothVolume(x, radii_, grad)/smoothVolume_;
 }

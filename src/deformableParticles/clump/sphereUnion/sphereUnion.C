@@ -70,7 +70,7 @@ tensor frame
 }
 
 
-//- Remove from grad what a rotation of all points feels
+//- Remove from grad the part that does work on a rotation of all points
 void removeTorque
 (
     const pointField& x,
@@ -163,7 +163,7 @@ Foam::scalar Foam::sphereUnion::volume
 }
 
 
-Foam::scalar Foam::sphereUnion::volume
+Foam::scalar Foam::sphereUnion::smoothVolume
 (
     const pointField& x,
     const scalarField& radii,
@@ -200,15 +200,15 @@ Foam::scalar Foam::sphereUnion::volume
             }
         }
 
-        // What the plane of a neighbour gives, along the directions and along d,
-        // in the sphere's frame
+        // Contributions of the plane of a neighbour to the gradient, along the
+        // directions and along d, in the frame of the sphere
         vectorField along(near.size(), Zero);
         scalarField across(near.size(), Zero);
         scalarField part(near.size());
 
         for (const vector& nk : n)
         {
-            // y^16 of the nearest plane decides
+            // The sum of y^16 is dominated by the nearest plane
             scalar S = 0;
             forAll(near, k)
             {

@@ -166,11 +166,11 @@ bool Foam::functionObjects::vtkClumps::write()
             forces.append(p.fluidForces()[i]);
         }
 
-        const scalarField axial(bondForces(type, p.state()).tension(p.state()));
-        forAll(type.bonds(), b)
+        const scalarField axial(bondForces(cloud.bonds(p)).tension(p.state()));
+        forAll(type.pairs(), b)
         {
-            ends.append(x[type.bonds()[b].i]);
-            ends.append(x[type.bonds()[b].j]);
+            ends.append(x[type.pairs()[b].first()]);
+            ends.append(x[type.pairs()[b].second()]);
             tension.append(axial[b]);
             bondClumps.append(p.origId());
         }

@@ -19,17 +19,17 @@ Foam::equilibrium::equilibrium
 
 bool Foam::equilibrium::find
 (
-    const clumpType& type,
-    const integrator::externals& ext,
+    const clumpBonds& bonds,
+    const externalForces& ext,
     clumpState& s
 ) const
 {
     const clumpState start(s);
-    const incrementalPotential potential(type, ext, 0, start);
+    const incrementalPotential potential(bonds, ext, 0, start);
 
-    // Small beside any deformation: keeps free rigid motions solvable
+    // Makes free rigid motions solvable and is small against any stiffness
     scalar shift = 0;
-    for (const clumpType::bond& b : type.bonds())
+    for (const clumpBonds::bond& b : bonds.bonds())
     {
         shift = max(shift, 1e-8*b.stiffness.normal);
     }
@@ -39,19 +39,20 @@ bool Foam::equilibrium::find
 
     s.u = Zero;
     s.w = Zero;
-    potential.bonds().store(s);
+    potential.forces().breakBonds(s);
     return found;
 }
 
 
 Foam::scalarField Foam::equilibrium::spectrum
 (
-    const clumpType& type,
-    const integrator::externals& ext,
+    const clumpBonds& bonds,
+    const externalForces& ext,
     const clumpState& s
 )
 {
-    const incrementalPotential potential(type, ext, 0, s);
+    const clumpType& type = bonds.type();
+    const incrementalPotential potential(bonds, ext, 0, s);
     const label n = 6*type.size();
     const scalar r = max(type.radii());
     const scalar h = 1e-5;
@@ -79,7 +80,7 @@ Foam::scalarField Foam::equilibrium::spectrum
         return gradient;
     };
 
-    // By differences: all of it, of models that give no tangent too
+    // By differences, since some models give no complete tangent
     for (label c = 0; c < n; ++c)
     {
         K.col(c) = gradientAt(c, h);
@@ -99,13 +100,13 @@ Foam::scalarField Foam::equilibrium::spectrum
 }
 
 
-Foam::integrator::externals Foam::equilibrium::stretch
+Foam::externalForces Foam::equilibrium::stretch
 (
     const clumpType& type,
     const vector& F
 )
 {
-    integrator::externals ext(type.size());
+    externalForces ext(type.size());
     if (mag(F) < VSMALL)
     {
         return ext;
@@ -127,8 +128,9 @@ Foam::integrator::externals Foam::equilibrium::stretch
         if (ends.empty() || reach <= 0)
         {
             FatalErrorInFunction
-                << "Clump type " << type.name() << " has no extent along "
-                << F << " to be stretched" << exit(FatalError);
+                << "Clump type " << type.name() << " cannot be stretched along "
+                << F << ", it has no extent in this direction"
+                << exit(FatalError);
         }
         for (const label i : ends)
         {

@@ -26,16 +26,18 @@ Foam::integrators::implicitEuler::implicitEuler(const dictionary& dict)
 
 void Foam::integrators::implicitEuler::advance
 (
-    const clumpType& type,
-    const externals& ext,
+    const clumpBonds& bonds,
+    const externalForces& ext,
     const scalar dt,
     clumpState& s
 ) const
 {
+    const clumpType& type = bonds.type();
     const clumpState start(s);
-    const incrementalPotential potential(type, ext, dt, start);
+    const incrementalPotential potential(bonds, ext, dt, start);
 
-    // Start from the motion at the old velocities where it lies lower than rest
+    // Start from the motion at the old velocities if its potential is lower than
+    // that of the positions at the start
     const scalar W0 = potential.value(s);
     predict(type, dt, s);
     if (potential.value(s) > W0)
@@ -60,7 +62,7 @@ void Foam::integrators::implicitEuler::advance
     }
 
     balanceMomentum(type, ext, dt, start, s);
-    potential.bonds().store(s);
+    potential.forces().breakBonds(s);
 }
 
 
@@ -77,7 +79,8 @@ void Foam::integrators::implicitEuler::predict
     const quaternion turn(rotation(dt*omega));
     const tensor R(turn.R());
 
-    // Velocities are ways of the last step over its time: of its middle
+    // A velocity is the displacement of the last step over its time, hence the
+    // velocity in the middle of that step
     const tensor half(rotation(0.5*dt*omega).R());
 
     forAll(s.x, i)
@@ -96,7 +99,7 @@ void Foam::integrators::implicitEuler::predict
 void Foam::integrators::implicitEuler::balanceMomentum
 (
     const clumpType& type,
-    const externals& ext,
+    const externalForces& ext,
     const scalar dt,
     const clumpState& start,
     clumpState& s
@@ -105,7 +108,7 @@ void Foam::integrators::implicitEuler::balanceMomentum
     const point centre0(start.centre(type));
     const point centre(s.centre(type));
 
-    // What is missing in the balance, and the inertia that answers
+    // Impulses that are missing in the balance, and the inertia that they act on
     vector P(Zero), L(Zero), S(Zero);
     scalar M = 0;
     tensor I(Zero);
@@ -134,7 +137,7 @@ void Foam::integrators::implicitEuler::balanceMomentum
         I += ((m + z)*magSqr(r) + J + JR)*tensor::I - (m + z)*(r*r);
     }
 
-    // About the centre of the inertia that answers (zeta may not follow m)
+    // About the centre of that inertia, as zeta need not be proportional to m
     const vector c(S/M);
     L -= c ^ P;
     I -= M*(magSqr(c)*tensor::I - c*c);

@@ -10,8 +10,8 @@ namespace
 
 using namespace Foam;
 
-//- The gradient by a rotation of v.phi, phi the rotation vector: J^-T v with J the
-//  left Jacobian of the exponential map
+//- Gradient of v.phi with respect to a small further rotation, where phi is the
+//  rotation vector: J^-T v with the left Jacobian J of the exponential map
 vector rotationGradient(const vector& phi, const vector& v)
 {
     const scalar p2 = magSqr(phi);
@@ -31,19 +31,20 @@ vector rotationGradient(const vector& phi, const vector& v)
 
 Foam::incrementalPotential::incrementalPotential
 (
-    const clumpType& type,
-    const integrator::externals& ext,
+    const clumpBonds& bonds,
+    const externalForces& ext,
     const scalar dt,
     const clumpState& start
 )
 :
-    type_(type),
+    bonds_(bonds),
+    type_(bonds.type()),
     ext_(ext),
     oneByDt_(dt > 0 ? 1/dt : 0),
     start_(start),
-    bonds_(type, start),
-    F_(type.size()),
-    T_(type.size())
+    forces_(bonds, start),
+    F_(type_.size()),
+    T_(type_.size())
 {}
 
 
@@ -60,7 +61,7 @@ Foam::scalar Foam::incrementalPotential::value
         K->setZero();
     }
 
-    scalar W = bonds_.stepForces
+    scalar W = forces_.stepForces
     (
         s, moving() ? 1/oneByDt_ : 0, F_, T_, K, geometric
     );

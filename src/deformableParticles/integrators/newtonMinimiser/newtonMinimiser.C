@@ -83,8 +83,9 @@ void Foam::newtonMinimiser::factorise
         return;
     }
 
-    // With inertia the material part is positive definite, but slow where the
-    // rest matters. At rest it is not (a clump may move rigidly).
+    // With inertia the material part is positive definite; it converges slowly
+    // where the geometric part matters. In an equilibrium it is only positive
+    // semidefinite, since the clump may move rigidly.
     if (potential.moving() && nIterations_ < 10)
     {
         potential.value(s, &gradient, &K, false);
@@ -114,7 +115,7 @@ bool Foam::newtonMinimiser::minimise
 {
     const label n = 6*s.x.size();
     Eigen::VectorXd gradient(n), step(n);
-    clumpTangent K(potential.type());
+    clumpTangent K(potential.bonds().pattern());
     clumpState before(s);
 
     scalar W = potential.value(s, &gradient);
@@ -146,8 +147,8 @@ bool Foam::newtonMinimiser::minimise
             moved = moveBy(potential.type(), before, step, fraction, s);
             W = potential.value(s, &gradient);
 
-            // Close to the minimum the potential is flat to rounding long before
-            // its gradient is
+            // Close to the minimum the potential no longer changes within rounding
+            // while its gradient still does
             if
             (
                 W <= before0

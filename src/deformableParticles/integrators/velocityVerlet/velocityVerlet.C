@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "velocityVerlet.H"
-#include "verletKernel.H"
 
 namespace Foam
 {
@@ -26,11 +25,12 @@ Foam::integrators::velocityVerlet::velocityVerlet(const dictionary& dict)
 
 Foam::scalar Foam::integrators::velocityVerlet::stableStep
 (
-    const clumpType& type,
-    const externals& ext,
+    const clumpBonds& bonds,
+    const externalForces& ext,
     const pointField& x
 ) const
 {
+    const clumpType& type = bonds.type();
     const label n = type.size();
     scalarField K(n, Zero), C(ext.zeta), S(n, Zero), D(ext.zetaR);
 
@@ -39,7 +39,7 @@ Foam::scalar Foam::integrators::velocityVerlet::stableStep
         K[i] = tr(ext.k[i]);
     }
 
-    for (const clumpType::bond& b : type.bonds())
+    for (const clumpBonds::bond& b : bonds.bonds())
     {
         const scalar arm2 = sqr(0.5*b.length);
         const bondCoefficients& k = b.stiffness;
@@ -54,7 +54,7 @@ Foam::scalar Foam::integrators::velocityVerlet::stableStep
         }
     }
 
-    for (const conservationModel& model : type.conservation())
+    for (const conservationModel& model : bonds.conservation())
     {
         vectorField grad(n);
         model.deviation(x, grad);
@@ -78,31 +78,24 @@ Foam::scalar Foam::integrators::velocityVerlet::stableStep
 
 void Foam::integrators::velocityVerlet::advance
 (
-    const clumpType& type,
-    const externals& ext,
+    const clumpBonds& bonds,
+    const externalForces& ext,
     const scalar dt,
     clumpState& s
 ) const
 {
-    const scalar stable = stableStep(type, ext, s.x);
+    const clumpType& type = bonds.type();
+    const bondForces internal(bonds);
+    const pointField x0(s.x);
+    vectorField F(type.size()), T(type.size());
+
+    const scalar stable = stableStep(bonds, ext, s.x);
     const label nSub = dt > stable ? label(std::ceil(dt/stable)) : 1;
     const scalar h = dt/nSub;
 
-    if (type.conservation().empty())
+    const auto updateForces = [&]()
     {
-        verletKernel kernel(type);
-        kernel.load(s, ext);
-        kernel.advance(nSub, h);
-        kernel.store(s);
-        return;
-    }
-
-    const pointField x0(s.x);
-
-    vectorField F(type.size()), T(type.size());
-
-    const auto addExternals = [&]()
-    {
+        internal.explicitForces(s, F, T);
         forAll(F, i)
         {
             F[i] +=
@@ -112,7 +105,7 @@ void Foam::integrators::velocityVerlet::advance
         }
     };
 
-    const auto kick = [&]()
+    const auto accelerate = [&]()
     {
         forAll(F, i)
         {
@@ -121,28 +114,18 @@ void Foam::integrators::velocityVerlet::advance
         }
     };
 
-    bondForces(type, s).explicitForces(s, F, T);
-    addExternals();
-
-    bondForces bonds(type);
+    updateForces();
     for (label sub = 0; sub < nSub; ++sub)
     {
-        if (type.incremental())
-        {
-            bonds.begin(s);
-        }
-
-        kick();
+        accelerate();
         forAll(s.x, i)
         {
             s.x[i] += h*s.u[i];
             s.q[i] = rotation(h*s.w[i])*s.q[i];
             s.q[i].normalize();
         }
-        bonds.explicitForces(s, F, T);
-        addExternals();
-        kick();
-
-        bonds.store(s);
+        updateForces();
+        accelerate();
     }
+    internal.breakBonds(s);
 }

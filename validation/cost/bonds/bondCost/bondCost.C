@@ -29,23 +29,19 @@ using namespace Foam;
 namespace
 {
 
-clumpType cell(const string& damping)
+dictionary cell(const string& damping)
 {
-    return clumpType
+    return dictionary
     (
-        "cell",
-        dictionary
+        IStringStream
         (
-            IStringStream
-            (
-                "shape { type ring; nSpheres 10; diameter 7.82e-6;"
-                " volume 94e-18; }"
-                "density 1098; massModel union; motion free;"
-                "bondModel { type elastic; rigidities { normal 91.4e-12;"
-                " tangential 68.3e-12; bending 12.9e-24; torsional 10e-24; } }"
-                "dampingModel { " + damping + " }"
-            )()
-        )
+            "shape { type ring; nSpheres 10; diameter 7.82e-6;"
+            " volume 94e-18; }"
+            "density 1098; massModel union; motion free;"
+            "bondModel { type elastic; rigidities { normal 91.4e-12;"
+            " tangential 68.3e-12; bending 12.9e-24; torsional 10e-24; } }"
+            "dampingModel { " + damping + " }"
+        )()
     );
 }
 
@@ -82,11 +78,12 @@ void explicitCost
     const label steps
 )
 {
-    const clumpType type(cell(damping));
+    const bondedClump clump("cell", cell(damping));
+    const clumpType& type = clump.type;
     const auto method(select("type velocityVerlet; stepFraction 0.5;"));
     const auto& verlet = refCast<const integrators::velocityVerlet>(*method);
-    const integrator::externals nothing(type.size());
-    const scalar dt = 0.5*verlet.stableStep(type, nothing, type.centres());
+    const externalForces nothing(type.size());
+    const scalar dt = 0.5*verlet.stableStep(clump.bonds, nothing, type.centres());
     List<clumpState> clumps(rings(type, n));
 
     // The sub-steps of one fluid step
@@ -96,7 +93,7 @@ void explicitCost
     {
         for (clumpState& s : clumps)
         {
-            verlet.advance(type, nothing, nSub*dt*0.999999, s);
+            verlet.advance(clump.bonds, nothing, nSub*dt*0.999999, s);
         }
     }
     std::printf
@@ -109,7 +106,8 @@ void explicitCost
 
 void implicitCost(const scalar dt, const label n, const label steps)
 {
-    const clumpType type(cell("type dampingRatio; beta 1500;"));
+    const bondedClump clump("cell", cell("type dampingRatio; beta 1500;"));
+    const clumpType& type = clump.type;
     const auto euler
     (
         select("type implicitEuler; tolerance 1e-9; maxIterations 100;")
@@ -122,7 +120,7 @@ void implicitCost(const scalar dt, const label n, const label steps)
     {
         for (clumpState& s : clumps)
         {
-            euler->advance(type, ext, dt, s);
+            euler->advance(clump.bonds, ext, dt, s);
         }
     }
     std::printf

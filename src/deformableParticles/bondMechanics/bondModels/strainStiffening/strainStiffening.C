@@ -69,7 +69,8 @@ Foam::bondModel::axialResponse Foam::bondModels::strainStiffening::axial
         0.239314335249683, 0.118463442528095
     };
 
-    // In pieces of l_b, 2 l_b, 4 l_b, ... as the law bends over ever longer ways
+    // In intervals of l_b, 2 l_b, 4 l_b, ... because the curvature of the law
+    // decreases with the elongation
     scalar energy = 0;
     scalar low = 0;
     while (low < a)

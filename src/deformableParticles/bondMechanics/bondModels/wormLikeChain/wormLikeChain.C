@@ -51,7 +51,7 @@ Foam::bondModel::axialResponse Foam::bondModels::wormLikeChain::axial
     const scalar A = Kn*contour/slope(x0_);
     const scalar x = (length + a)/contour;
 
-    // Within the formula, and how far beyond
+    // The part of x within the range of the formula, and the part beyond
     const scalar y = min(max(x, 0), 0.99);
     const scalar z = x - y;
 

@@ -37,15 +37,15 @@ Foam::conservationModels::unionVolume::unionVolume
             if (j != i && d2 + sqr(radii[i]) <= sqr(radii[j]))
             {
                 FatalIOErrorInFunction(dict)
-                    << "conservationModel unionVolume: sphere " << i
-                    << " lies too deep inside of sphere " << j
+                    << "conservationModel unionVolume: the centre of sphere "
+                    << i << " lies too deep inside sphere " << j
                     << exit(FatalIOError);
             }
         }
     }
 
     vectorField grad(centres.size());
-    volume0_ = sphereUnion::volume(centres, radii_, grad);
+    volume0_ = sphereUnion::smoothVolume(centres, radii_, grad);
 }
 
 
@@ -55,5 +55,5 @@ Foam::scalar Foam::conservationModels::unionVolume::deviation
     vectorField& grad
 ) const
 {
-    return sphereUnion::volume(x, radii_, grad) - volume0_;
+    return sphereUnion::smoothVolume(x, radii_, grad) - volume0_;
 }

@@ -26,8 +26,8 @@ Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
     if (mag(direction_) < VSMALL || plus_.empty() || minus_.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "oppositeForces needs a direction that is not zero and one "
-            << "sphere at least in plus and in minus" << exit(FatalIOError);
+            << "oppositeForces needs a direction that is not zero and at least "
+            << "one sphere in each of plus and minus" << exit(FatalIOError);
     }
     direction_ /= mag(direction_);
 }
@@ -48,7 +48,7 @@ void Foam::loads::oppositeForces::add
 (
     const scalar time,
     const pointField&,
-    integrator::externals& ext
+    externalForces& ext
 ) const
 {
     const vector F(force_->value(time)*direction_);

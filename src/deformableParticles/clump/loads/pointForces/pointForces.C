@@ -31,7 +31,7 @@ Foam::loads::pointForces::pointForces(const dictionary& dict)
     )
     {
         FatalIOErrorInFunction(dict)
-            << "pointForces needs one sphere at least, and as many forces ("
+            << "pointForces needs at least one sphere, and as many forces ("
             << forces_.size() << ") and torques (" << torques_.size()
             << ") as spheres (" << spheres_.size() << ')'
             << exit(FatalIOError);
@@ -53,7 +53,7 @@ void Foam::loads::pointForces::add
 (
     const scalar time,
     const pointField&,
-    integrator::externals& ext
+    externalForces& ext
 ) const
 {
     const scalar f = factor_->value(time);

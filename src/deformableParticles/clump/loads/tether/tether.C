@@ -38,7 +38,7 @@ void Foam::loads::tether::add
 (
     const scalar,
     const pointField& centres,
-    integrator::externals& ext
+    externalForces& ext
 ) const
 {
     ext.f[sphere_] -= stiffness_*(centres[sphere_] - anchor_);

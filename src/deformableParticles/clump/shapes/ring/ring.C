@@ -122,7 +122,7 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
     if (disc)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'volume': only a ring has it, give sphereRadius"
+            << "Entry 'volume' is valid for a ring only; give sphereRadius"
             << exit(FatalIOError);
     }
     if (dict.found("sphereRadius"))
@@ -133,7 +133,7 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
 
     const scalar V = getPositive(dict, "volume");
 
-    // Of one sphere with that volume, the largest there can be
+    // Upper limit: the radius of a single sphere with this volume
     scalar high = Foam::cbrt(0.75*V/pi);
     if (dict.found("diameter"))
     {

@@ -34,8 +34,9 @@ void Foam::clumpShapes::shape::check(const dictionary& dict) const
     if (!n || radii_.size() != n)
     {
         FatalIOErrorInFunction(dict)
-            << "A shape needs as many radii as centres, and one at least: "
-            << n << " centres, " << radii_.size() << " radii"
+            << "A shape needs at least one sphere and as many radii as centres;"
+            << " there are " << n << " centres and " << radii_.size()
+            << " radii"
             << exit(FatalIOError);
     }
 

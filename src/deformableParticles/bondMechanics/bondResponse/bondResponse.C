@@ -1,0 +1,51 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "bondResponse.H"
+
+Foam::vector Foam::bondResponse::direction
+(
+    const clumpBonds::bond& b,
+    const vector& d,
+    const scalar length
+)
+{
+    return length > 1e-12*b.length ? d/length : b.direction;
+}
+
+
+Foam::bondResponse::bondResponse
+(
+    const bondModel& law,
+    const clumpBonds::bond& b,
+    const vector& d,
+    const vector& psi
+)
+{
+    const vector& e = b.direction;
+    const bondCoefficients& k = b.stiffness;
+    const scalar length = mag(d);
+    const scalar torsion = psi & e;
+    const vector bending(psi - torsion*e);
+
+    t = direction(b, d, length);
+
+    const bondModel::axialResponse axialLaw
+    (
+        law.axial(length - b.length, b.length, k.normal)
+    );
+    const scalar shear = k.tangential*b.length;
+
+    n = (axialLaw.force + shear)*t - shear*e;
+    m = k.torsional*torsion*e + k.bending*bending;
+    energy =
+        axialLaw.energy
+      + 0.5*shear*length*magSqr(t - e)
+      + 0.5*(k.torsional*sqr(torsion) + k.bending*magSqr(bending));
+
+    axial = axialLaw.force;
+    kAlong = axialLaw.tangent;
+    kAcross = (axialLaw.force + shear)/max(length, 1e-12*b.length);
+}

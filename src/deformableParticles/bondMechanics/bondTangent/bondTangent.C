@@ -1,0 +1,147 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "bondTangent.H"
+
+namespace
+{
+
+inline Eigen::Matrix3d toEigen(const Foam::tensor& t)
+{
+    Eigen::Matrix3d m;
+    m << t.xx(), t.xy(), t.xz(),
+         t.yx(), t.yy(), t.yz(),
+         t.zx(), t.zy(), t.zz();
+    return m;
+}
+
+
+inline Eigen::Vector3d toEigen(const Foam::vector& v)
+{
+    return Eigen::Vector3d(v.x(), v.y(), v.z());
+}
+
+
+//- The matrix of v x
+inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v)
+{
+    Eigen::Matrix3d m;
+    m << 0, -v.z(), v.y(),
+         v.z(), 0, -v.x(),
+         -v.y(), v.x(), 0;
+    return m;
+}
+
+
+//- along*e e + across*(I - e e)
+inline Eigen::Matrix3d transverse
+(
+    const Foam::scalar along,
+    const Foam::scalar across,
+    const Foam::vector& e
+)
+{
+    const Eigen::Vector3d v(toEigen(e));
+    return across*Eigen::Matrix3d::Identity()
+      + (along - across)*v*v.transpose();
+}
+
+}
+
+
+void Foam::bondTangent::add
+(
+    const List<clumpBonds::bond>& bonds,
+    const label bi,
+    const bondFrame& frame,
+    const bondResponse& r,
+    const stepDamping& damping,
+    const bool geometric,
+    clumpTangent& K
+)
+{
+    using Eigen::Matrix3d;
+
+    const clumpBonds::bond& b = bonds[bi];
+    const bondCoefficients& k = b.stiffness;
+    const bondCoefficients& c = damping.coefficients(bi);
+    const Eigen::Vector3d dv(toEigen(frame.d()));
+    const Matrix3d C(toEigen(frame.C()));
+    const Matrix3d H(toEigen(frame.H()));
+    const Matrix3d d(crossMatrix(dv));
+    const Matrix3d D
+    (
+        transverse(r.kAlong, geometric ? r.kAcross : max(r.kAcross, 0), r.t)
+      + transverse(c.normal, c.tangential, damping.direction(bi))
+    );
+    const Matrix3d S
+    (
+        transverse
+        (
+            k.torsional + c.torsional,
+            k.bending + c.bending,
+            b.direction
+        )
+    );
+
+    // Second variation of the energy in the frame of the bond with respect to u
+    // (relative displacement), s (mean rotation) and p (relative rotation):
+    // gamma changes by u + d x (s + C p), psi by H p. Each matrix is named after
+    // the pair of variables that it couples.
+    Matrix3d us(D*d);
+    Matrix3d ss(-d*us);
+
+    if (geometric)
+    {
+        const Eigen::Vector3d n(toEigen(r.n));
+        us -= crossMatrix(n);
+        ss += 0.5*(n*dv.transpose() + dv*n.transpose());
+        ss.diagonal().array() -= n.dot(dv);
+    }
+
+    Matrix3d sp(ss*C);
+    Matrix3d pp(C.transpose()*sp + H*S*H);
+
+    if (geometric)
+    {
+        // The maps C and H change with p, the frame turns with s
+        const vector w(frame.d() ^ r.n);
+        const Matrix3d g(crossMatrix(toEigen(frame.C(w) + frame.H(r.m))));
+        const Matrix3d change
+        (
+            toEigen(frame.coupleTangent(r.m, w))*H - g*C
+        );
+
+        sp += 0.5*(crossMatrix(toEigen(w))*C + g);
+        pp += 0.5*(change + change.transpose());
+    }
+    const Matrix3d up(us*C);
+
+    // Rotations of the spheres: s is their mean, p their difference
+    const Matrix3d R(toEigen(frame.R()));
+    const Matrix3d RT(R.transpose());
+    const auto turn = [&R, &RT](const Matrix3d& m) -> Matrix3d
+    {
+        return R*m*RT;
+    };
+
+    const Matrix3d uu(turn(D));
+    const Matrix3d ui(turn(0.5*us - up));
+    const Matrix3d uj(turn(0.5*us + up));
+    const Matrix3d even(0.25*ss + pp);
+    const Matrix3d odd(0.5*(sp + sp.transpose()));
+    const Matrix3d skew(0.5*(sp - sp.transpose()));
+
+    clumpTangent::block B;
+
+    B << uu, -ui, -ui.transpose(), turn(even - odd);
+    K.diagonal(b.i) += B;
+
+    B << uu, uj, uj.transpose(), turn(even + odd);
+    K.diagonal(b.j) += B;
+
+    B << -uu, -uj, ui.transpose(), turn(0.25*ss - pp + skew);
+    K.addCoupling(bi, b.i, b.j, B);
+}

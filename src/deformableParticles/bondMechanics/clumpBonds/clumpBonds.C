@@ -1,0 +1,120 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpBonds.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- The selected bond model. linearElastic summed up the increments of the law of
+//  elastic, with the same result to the last digit, and is read as elastic.
+autoPtr<bondModel> selectBondModel(const dictionary& dict)
+{
+    if (dict.get<word>("type") != "linearElastic")
+    {
+        return selectModel<bondModel>(dict);
+    }
+
+    IOWarningInFunction(dict)
+        << "The bond model 'linearElastic' has been replaced by 'elastic', which "
+        << "gives the same results; please change the entry" << endl;
+    dictionary present(dict);
+    present.set("type", word("elastic"));
+    return selectModel<bondModel>(present);
+}
+
+}
+
+
+Foam::clumpBonds::clumpBonds(const clumpType& type, const dictionary& dict)
+:
+    type_(type),
+    damped_(false),
+    pattern_(type.size(), type.pairs())
+{
+    if (type.pairs().size())
+    {
+        makeBonds(dict);
+    }
+    selectConservation(dict);
+}
+
+
+void Foam::clumpBonds::makeBonds(const dictionary& dict)
+{
+    law_ = selectBondModel(getDict(dict, "bondModel"));
+    const autoPtr<dampingModel> damping
+    (
+        selectModel<dampingModel>(getDict(dict, "dampingModel"))
+    );
+
+    const pointField& x = type_.centres();
+    const scalarField& r = type_.radii();
+    const scalarField& m = type_.masses();
+    const scalarField& I = type_.inertias();
+
+    bonds_.setSize(type_.pairs().size());
+
+    forAll(bonds_, b)
+    {
+        const label i = type_.pairs()[b].first();
+        const label j = type_.pairs()[b].second();
+        const vector d(x[j] - x[i]);
+        const scalar length = mag(d);
+
+        if (length < SMALL*max(r[i], r[j]))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Bond " << b << " joins spheres " << i << " and " << j
+                << " at the same place" << exit(FatalIOError);
+        }
+
+        const bondCoefficients k(law_->stiffness(length, 0.5*(r[i] + r[j])));
+        const bondCoefficients c
+        (
+            damping->coefficients(k, 0.5*(m[i] + m[j]), 0.5*(I[i] + I[j]))
+        );
+        damped_ = damped_ || c.any();
+
+        bonds_[b] = {i, j, d/length, length, k, c, 0.5*(r[i] + r[j])};
+    }
+}
+
+
+void Foam::clumpBonds::selectConservation(const dictionary& dict)
+{
+    const auto add = [&](const dictionary& d)
+    {
+        auto model
+        (
+            selectModel<conservationModel>(d, type_.centres(), type_.radii())
+        );
+        if (model->active())
+        {
+            conservation_.append(model.ptr());
+        }
+    };
+
+    if (dict.found("conservationModel"))
+    {
+        if (dict.found("conservationModels"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Give either conservationModel or conservationModels"
+                << exit(FatalIOError);
+        }
+        add(getDict(dict, "conservationModel"));
+    }
+    else if (dict.found("conservationModels"))
+    {
+        const dictionary& models = getDict(dict, "conservationModels");
+        for (const word& name : models.toc())
+        {
+            add(getDict(models, name));
+        }
+    }
+}

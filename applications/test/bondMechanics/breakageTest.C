@@ -22,7 +22,8 @@ TEST_CASE("breakage: a bond breaks at its strength and not before", "[breakage][
     const bool breakable = GENERATE(true, false);
 
     // Two spheres of radius 1 um: strength 1000 Pa times pi um2 is 3.14 nN
-    const bondedClump clump(
+    const bondedClump clump
+    (
         "pair",
         dictOf
         (

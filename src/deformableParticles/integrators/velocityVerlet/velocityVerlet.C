@@ -121,7 +121,9 @@ void Foam::integrators::velocityVerlet::advance
         forAll(s.x, i)
         {
             s.x[i] += h*s.u[i];
-            s.q[i] = rotation(h*s.w[i])*s.q[i];
+
+            // Rotation by Cayley's map, which has the second order of the method
+            s.q[i] = quaternion(1, 0.5*h*s.w[i])*s.q[i];
             s.q[i].normalize();
         }
         updateForces();

@@ -1,7 +1,5 @@
 """Error against cost of every numerical choice, scene by scene; the Pareto front, the presets and the paper's choice."""
 
-import sys
-sys.path.append("../shared")
 from results import Results, plt, read, save
 
 unit = {"array": "processor seconds per array", "tether": "processor seconds per simulated second",

@@ -2,8 +2,6 @@
 resolution."""
 
 import os
-import sys
-sys.path.append("../shared")
 from results import Results, plt, read, save
 
 diameter = 7.82e-6
@@ -25,11 +23,11 @@ results = Results()
 for run in runs:
     found = outcome(run)
     name = f"{run['name']}, D/dx {run['D_dx']:g}, dt {run['deltaT_s']:g} s, {run['steps']:g} steps"
-    results.add(name, float(found == wanted[run["should"]]), "-", 1, 0.5, f"should: {wanted[run['should']]}")
+    results.add(name, float(found == wanted[run["should"]]), "-", 1, 0, f"should: {wanted[run['should']]}")
     print(f"{name:75s} {found:8s} longest {run['longest_m']/diameter:6.2f} D, last {run['last_m']/diameter:6.2f} D, "
           f"{run['seconds']} s")
     if "release" in run["name"] and found == "held" and os.environ.get("quick") != "true":
-        results.add(f"{run['name']}: longest diameter long after the release / D", run["last_m"]/diameter, "-", 1, 0.05,
+        results.add(f"{run['name']}: longest diameter long after the release / D", run["last_m"]/diameter, "-", 1, 0.03,
                     "recovers its shape")
 
 groups = [("damping ratio beta", [r for r in runs if r["name"].startswith("beta") or r["name"] == "explicit exchange"],

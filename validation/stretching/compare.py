@@ -1,10 +1,8 @@
 """Residuals in error bars and the spread over the numbers of spheres; figure of the curves."""
 import os
 import re
-import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-import results as r
+from results import Results, plt, read, save, write_table
 
 SIZES = [8, 10, 16]
 POPULATIONS = {"healthy": "healthy", "ringStage": "ring stage", "trophozoite": "trophozoite", "schizont": "schizont"}
@@ -16,7 +14,7 @@ MODULI = ["1e-5", "2e-5", "5e-5", "1e-4"]
 def curve(case, kind="evaluated"):
     """{N: [(force pN, axial um, transverse um)]}"""
     result = {}
-    for row in r.read_table(f"{case}.{kind}/curve.csv"):
+    for row in read(f"{case}.{kind}/curve.csv"):
         result.setdefault(SIZES[int(row["variant"])], []).append(
             (1e12*float(row["force"]), 1e6*float(row["axial"]), 1e6*float(row["transverse"])))
     return result
@@ -30,7 +28,7 @@ def spread(curves):
 
 def residuals(folder):
     return [(int(row["variant"]), row["quantity"], 1e12*float(row["force"]), 1e6*float(row["measured"]),
-             1e6*float(row["error"]), float(row["z"])) for row in r.read_table(folder + "/residuals.csv")]
+             1e6*float(row["error"]), float(row["z"])) for row in read(folder + "/residuals.csv")]
 
 
 def worst(folder):
@@ -45,7 +43,7 @@ def seconds(log):
     return float(found(r"curves in (\S+) s", log))
 
 
-out = r.Results()
+out = Results()
 data = []
 for case, name in POPULATIONS.items():
     for row in residuals(case + ".evaluated"):
@@ -56,7 +54,7 @@ for case, name in POPULATIONS.items():
 
     volumes = [1e18*float(v) for v in found(r"volume \[m3\] (.*)", f"log.{case}").split()]
     out.add(f"{name}: volume, N of the largest deviation", max(volumes, key=lambda v: abs(v - VOLUME)), "um3", VOLUME,
-            "2%", "Evans & Fung 1972")
+            "0.1%", "Evans & Fung 1972")
 
     unstable = int(found(r"unstable states (\d+)", f"log.{case}"))
     out.add(f"{name}: states that buckle", unstable, "-", 0, 0, "second variation of the energy")
@@ -76,8 +74,6 @@ out.add("geometry of the paper, its own set: largest residual, N = 8, 10, 16", w
 if os.path.exists("conserved-5e-5.fit"):
     out.add("healthy, area modulus 50 uN/m, fitted anew: largest residual", worst("conserved-5e-5.fit"), "error bars", 0,
             0.8, SURESH)
-out.write()
-
 for case in ("mills", "paperHealthy", "printed", *("conserved-" + m for m in MODULI)):
     for row in residuals(case + ".evaluated"):
         data.append([case, SIZES[row[0]], *row[1:]])
@@ -86,10 +82,10 @@ print("areaModulus [N/m], largest residual [error bars], for N = 8, 10, 16, unst
 for m, case in (("0", "healthy"), *((m, "conserved-" + m) for m in MODULI)):
     single = [max(abs(row[-1]) for row in residuals(case + ".evaluated") if row[0] == v) for v in range(3)]
     print(m, worst(case + ".evaluated"), *single, found(r"unstable states (\d+)", "log." + case))
-r.write_table("data.csv", ["population", "N", "quantity", "force_pN", "measured_um", "error_um", "z"], data)
+write_table("data.csv", ["population", "N", "quantity", "force_pN", "measured_um", "error_um", "z"], data)
 
 # Figure
-fig, axes = r.figure(3, 2, 11, 6.6)
+fig, axes = plt.subplots(2, 3, figsize=(11, 6.6), squeeze=False)
 styles = {8: ":", 10: "-", 16: "--"}
 colours = {"axial": "C3", "transverse": "C0"}
 
@@ -111,4 +107,5 @@ for ax, (case, name) in zip(axes.flat, POPULATIONS.items()):
 draw(axes[1][1], "printed", "healthy, law as printed")
 draw(axes[1][2], "conserved-5e-5", "healthy, enclosed area held by 50 uN/m")
 axes[1][0].legend(fontsize=8, ncol=2, loc="upper left")
-r.save(fig, "stretching.png")
+save(fig, "stretching.png")
+out.write()

@@ -1,8 +1,6 @@
 """What effects cost that a scene does not need, and the estimates against the runs."""
 
 import statistics
-import sys
-sys.path.append("../../shared")
 from results import Results, read
 
 results = Results()

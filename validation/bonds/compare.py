@@ -100,11 +100,11 @@ for k, (name, values) in enumerate(curves.items()):
 axes[0][0].loglog([8, 64], [6, 6/64], "k--", lw=0.8, label="second order")
 axes[0][0].set_xticks([4, 8, 16, 32, 64], ["4", "8", "16", "32", "64"])
 axes[0][0].minorticks_off()
-axes[0][0].set(xlabel="bonds", ylabel="distance from the limit (%)", xlim=(3.5, 70))
+axes[0][0].set(xlabel="number of bonds", ylabel="deviation from infinitely many bonds [%]", xlim=(3.5, 70))
 axes[0][0].legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
 for q in (1, 2):
     axes[0][1].plot([1e6*p[0] for p in path], [1e3*p[q] for p in path], label=f"rod {q}")
-axes[0][1].set(xlabel="time (us)", ylabel="velocity (mm/s)", title="head-on collision of two elastic rods")
+axes[0][1].set(xlabel="time [us]", ylabel="velocity [mm/s]", title="head-on collision of two elastic rods")
 axes[0][1].legend()
 save(fig, "bonds.png")
 out.write()

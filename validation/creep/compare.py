@@ -55,7 +55,7 @@ fig, axes = plt.subplots(1, 3, figsize=(12, 3.6), squeeze=False)
 for ax, curves, name in ((axes[0][0], betas, "beta = {}"), (axes[0][1], forces, "{} pN")):
     for key, curve in curves.items():
         ax.plot([p[0] for p in curve], [p[1] for p in curve], label=name.format(key))
-    ax.set(xlabel="time (s)", ylabel="normalised creep compliance", xlim=(0, 0.5))
+    ax.set(xlabel="time [s]", ylabel="elongation still to come / final elongation", xlim=(0, 0.5))
     ax.legend()
 axes[0][0].set_title("7 pN")
 axes[0][1].set_title("beta = 1500")
@@ -64,7 +64,7 @@ for (cell, rows), colour in zip(cells.items(), ("C0", "C3")):
     axes[0][2].plot([float(p["time"]) for p in curve], [float(p["ratio"]) for p in curve], color=colour, label="fit")
     axes[0][2].plot([float(p["time"]) for p in rows], [float(p["measured"]) for p in rows], "o", ms=3, color=colour,
                     label=f"Hochmuth 1979, cell {cell[-1]}")
-axes[0][2].set(title="recovery", xlabel="time after release (s)", ylabel="length/width")
+axes[0][2].set(title="recovery", xlabel="time after release [s]", ylabel="length / width")
 axes[0][2].legend()
 save(fig, "creep.png")
 out.write()

@@ -36,7 +36,7 @@ for run in read("data.csv"):
     axes.plot([t*shear for t in times], [math.degrees(a) for a in angles], "--", label=name)
 
 axes.set_xlabel("shear rate x time")
-axes.set_ylabel("angle turned [degrees]")
+axes.set_ylabel("angle turned by the long axis [degrees]")
 axes.legend(fontsize=8)
 save(figure, "jeffery.png")
 results.write()

@@ -32,8 +32,8 @@ for colour, case in enumerate(("E1", "E2", "E4")):
             axes.plot([r["t_s"] for r in rows], shown, color=f"C{colour}",
                       ls="-" if resolution == finest else "--",
                       label=f"{case}, D/dx {resolution:g}" if axes is left else None)
-left.set_ylabel("velocity [m/s]")
-right.set_ylabel("gap to the floor / D")
+left.set_ylabel("velocity of the sphere [m/s]")
+right.set_ylabel("gap between sphere and floor / D")
 right.set_ylim(0, 8.5)
 for axes in left, right:
     axes.set_xlim(0, 2)

@@ -33,8 +33,8 @@ for colour, direction in enumerate(exact):
         points = [(k[1], mean(v)) for k, v in groups.items() if k[0] == direction and k[2] == resolution]
         if points:
             axes.plot(*zip(*points), mark, mfc="none", color=f"C{colour}", label=f"D/dx {resolution}")
-axes.set_xlabel("gap / a")
-axes.set_ylabel("drag / (6 pi mu a U)")
+axes.set_xlabel("gap between sphere and wall / radius a")
+axes.set_ylabel("drag / Stokes drag 6 pi mu a U")
 axes.set_xscale("log")
 axes.set_xticks([0.3, 0.5, 1, 2, 3, 5], ["0.3", "0.5", "1", "2", "3", "5"])
 axes.legend()

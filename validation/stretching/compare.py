@@ -99,7 +99,7 @@ def draw(ax, case, title):
         for n, points_n in curve(case).items():
             ax.plot([p[0] for p in points_n], [p[1 + q] for p in points_n], styles[n], color=colours[quantity],
                     label=f"{quantity}, N = {n}")
-    ax.set(title=title, xlabel="force (pN)", ylabel="diameter (um)", ylim=(2, 19))
+    ax.set(title=title, xlabel="force [pN]", ylabel="diameter [um]", ylim=(2, 19))
 
 
 for ax, (case, name) in zip(axes.flat, POPULATIONS.items()):

@@ -108,15 +108,16 @@ if sweep:
     speeds = [r["velocity_um_s"] for r in sweep]
     left.plot(speeds, [over_u(r) for r in sweep], "o-", label="D/dx = 4")
     for resolution, mark in (6, "^"), (8, "s"):
-        left.plot([r["velocity_um_s"] for r in ours(resolution)], [over_u(r) for r in ours(resolution)], mark,
-                  mfc="none", label=f"D/dx = {resolution}")
+        if ours(resolution):
+            left.plot([r["velocity_um_s"] for r in ours(resolution)], [over_u(r) for r in ours(resolution)], mark,
+                      mfc="none", label=f"D/dx = {resolution}")
     left.plot(speeds, [over_u(r, "reference_pN") for r in sweep], "k--", label="mobility reference")
     if os.path.exists("experiment.csv"):
         points = read("experiment.csv")
         left.errorbar([p["velocity_um_s"] for p in points], [p["FD_over_u_pN_s_um"] for p in points],
                       [p["error"] for p in points], fmt="kD", label="experiment")
     left.set_xlabel("mean velocity [um/s]")
-    left.set_ylabel("F$_D$/u [pN s/um]")
+    left.set_ylabel("drag on the cell / mean velocity [pN s/um]")
     left.set_ylim(0, 1.3*max(over_u(r) for r in sweep))
     left.legend(fontsize=8)
 

@@ -35,7 +35,7 @@ for run in read("data.csv"):
     axes.plot([math.degrees(a) for a in angles], [-r["rate"]/shear for r in rows], "--", label=name)
 
 axes.set_xlabel("angle between the axis and the flow [degrees]")
-axes.set_ylabel("rate / shear rate")
+axes.set_ylabel("angular velocity / shear rate")
 axes.set_xlim(0, 250)
 axes.set_ylim(0, 1.5)
 axes.legend(fontsize=8, loc="upper center")

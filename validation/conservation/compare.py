@@ -1,6 +1,7 @@
 """Third law, continuity, agreement of ranks and of the force integrals."""
 
 import re
+from statistics import median_high as median
 from results import Results, plt, read, save
 from tables import table
 
@@ -16,7 +17,8 @@ def continuity(case):
 
 def clumps(case):
     """Force and position of every clump and step."""
-    return [[row[c] for c in ("Fx", "Fy", "Fz", "x", "y", "z")] for row in table(case, "clumpForce")]
+    return [[row[c] for c in ("Fx", "Fy", "Fz", "x", "y", "z")]
+            for row in table(case, "clumpForce")]
 
 
 results = Results()
@@ -24,14 +26,16 @@ figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
 
 for ranks in "124":
     balance = [row["thirdLaw"] for row in table(ranks, "momentumBalance")]
-    results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0, "1e-14",
+    results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0,
+                "1e-14",
                 "Newton: what the clumps gain the fluid loses")
     left.semilogy(range(1, len(balance) + 1), balance, label=f"third law, ranks: {ranks}")
 
 for case, name in ("none", "a force instead of cells"), ("1", "two cells"):
-    left.semilogy(range(1, len(continuity(case)) + 1), continuity(case), ls="--", label=f"continuity, {name}")
+    left.semilogy(range(1, len(continuity(case)) + 1), continuity(case), ls="--",
+                  label=f"continuity, {name}")
 results.add("continuity error, cells over no cells, medians",
-            sorted(continuity("1"))[len(continuity("1"))//2]/sorted(continuity("none"))[len(continuity("none"))//2],
+            median(continuity("1"))/median(continuity("none")),
             "", 1, "30%", "same solvers, a force on one mesh cell instead of the cells")
 
 serial = clumps("1")
@@ -47,8 +51,10 @@ for ranks in "24":
         return min(d, BOX - d)/BOX
     position = max(apart(a, b) for r, s in zip(serial, other) for a, b in zip(r[3:], s[3:]))
     assert len(serial) == len(other)
-    results.add(f"force on {ranks} ranks against one", force, "", 0, "1e-9", "the same run in serial")
-    results.add(f"position on {ranks} ranks against one", position, "", 0, "1e-10", "the same run in serial")
+    results.add(f"force on {ranks} ranks against one", force, "", 0, "1e-9",
+                "the same run in serial")
+    results.add(f"position on {ranks} ranks against one", position, "", 0, "1e-10",
+                "the same run in serial")
 
 # Momentum over the outer iterations: identities hold in every step, the rest goes to zero
 # Explained in the README
@@ -56,7 +62,8 @@ known = {("closed", "exchange"): 1.35646e-05, ("open", "exchange"): 1.49828e-05}
 terms = read("balance.csv")
 for r in terms:
     name = f"{r['domain']}, {r['ranks']:g} ranks, {r['passes']:g} outer iterations"
-    print(f"{name}: third law {r['thirdLaw']:.0e}, clumps {r['clumps']:.0e}, fluid {r['fluid']:.0e}, "
+    print(f"{name}: third law {r['thirdLaw']:.0e}, clumps {r['clumps']:.0e}, fluid "
+          f"{r['fluid']:.0e}, "
           f"not received {r['exchange']:.0e}, total {r['total']:.0e}")
     for column in "thirdLaw", "clumps":
         results.add(f"{name}: {column}", r[column], "", 0, "1e-15", "an identity of every step")
@@ -66,10 +73,14 @@ for r in terms:
         first = next(q for q in terms if q["domain"] == r["domain"] and q["passes"] == 1)
         if most == 16:
             for column, limit in ("fluid", "1e-5"), ("exchange", "1e-5"):
-                results.add(f"{r['domain']}: {column} after {most:g} outer iterations", r[column], "", 0, limit,
-                            "zero when the step is iterated to convergence", known.get((r["domain"], column)))
-        results.add(f"{r['domain']}: total after {most:g} outer iterations over that after one", r["total"]/first["total"],
-                    "", 0, "3e-2" if most == 16 else "0.3", "zero when the step is iterated to convergence")
+                results.add(f"{r['domain']}: {column} after {most:g} outer iterations", r[column],
+                            "", 0, limit,
+                            "zero when the step is iterated to convergence",
+                            known.get((r["domain"], column)))
+        results.add(f"{r['domain']}: total after {most:g} outer iterations over that after one",
+                    r["total"]/first["total"],
+                    "", 0, "3e-2" if most == 16 else "0.3",
+                    "zero when the step is iterated to convergence")
 
 data = read("data.csv")
 finest = max(r["D_dx"] for r in data)
@@ -77,7 +88,8 @@ for integral, mark in ("momentumExchange", "o-"), ("stressDivergence", "s--"):
     rows = [r for r in data if r["force"] == integral]
     right.plot([r["D_dx"] for r in rows], [1e6*r["drag_N_s_m"] for r in rows], mark, label=integral)
 for resolution in sorted({r["D_dx"] for r in data}):
-    exchange, stress = ([r["drag_N_s_m"] for r in data if r["D_dx"] == resolution and r["force"] == f][0]
+    exchange, stress = ([r["drag_N_s_m"] for r in data if r["D_dx"] == resolution
+                         and r["force"] == f][0]
                         for f in ("momentumExchange", "stressDivergence"))
     print(f"Eq. 6 over momentum exchange, D/dx {resolution:g}: {stress/exchange:.4f}")
     if resolution == finest:

@@ -1,4 +1,5 @@
-"""Normalised creep compliance, recovery of two cells, one bond against the exact solution; figure."""
+"""Normalised creep compliance, recovery of two cells, one bond against the exact solution;
+figure."""
 import math
 
 from results import Results, plt, read, save, write_table
@@ -26,10 +27,13 @@ def half_time(curve):
 betas = {b: compliance(f"beta{b}") for b in (500, 1000, 1500, 3000)}
 forces = {7: betas[1500], **{f: compliance(f"force{f}") for f in (20, 50, 100)}}
 
-rise = max(b[1] - a[1] for curve in [*betas.values(), *forces.values()] for a, b in zip(curve, curve[1:]))
-out.add("normalised creep compliance: largest rise in a step", max(rise, 0.0), "-", 0, 1e-6, "monotone from 1 to 0")
+rise = max(b[1] - a[1] for curve in [*betas.values(), *forces.values()] for a,
+           b in zip(curve, curve[1:]))
+out.add("normalised creep compliance: largest rise in a step", max(rise, 0.0), "-", 0, 1e-6,
+        "monotone from 1 to 0")
 times = [half_time(c) for c in forces.values()]
-out.add("half time, largest ratio from a force to the next larger", max(b/a for a, b in zip(times, times[1:])), "-", 0,
+out.add("half time, largest ratio from a force to the next larger",
+        max(b/a for a, b in zip(times, times[1:])), "-", 0,
         0.999, "faster with larger force (Fig. 4b of the paper)")
 print("half times", dict(zip(forces, times)))
 slow = [half_time(c) for c in betas.values()]
@@ -40,15 +44,18 @@ cells = {}
 for cell in ("hochmuth01", "hochmuth02"):
     rows = read(cell + ".fit/residuals.csv")
     error = [float(row["model"]) - float(row["measured"]) for row in rows]
-    out.add(f"recovery {cell}: RMS of length/width", math.sqrt(sum(e*e for e in error)/len(error)), "-", 0, 0.03,
+    out.add(f"recovery {cell}: RMS of length/width", math.sqrt(sum(e*e for e in error)/len(error)),
+            "-", 0, 0.03,
             "Hochmuth et al. 1979")
     cells[cell] = rows
     data.extend([cell, f"{row['time']:g}", f"{row['model']:.6g}"] for row in rows)
 
 # x(t) = F/K (1 - exp(-t/tau)); K = E_b A_b/l_b of the healthy cell
 F, K, TAU, BOND = 7e-12, 91.4e-12/2e-6, 0.01, 2e-6
-worst = max(abs((s["Lx"] - 2e-6 - BOND)/(F/K) - (1 - math.exp(-s["time"]/TAU))) for s in table("bond", "clumpShape"))
-out.add("one bond, largest error of x K/F, step tau/100", 100*worst, "%", 0, 0.0005, "Kelvin-Voigt exact")
+worst = max(abs((s["Lx"] - 2e-6 - BOND)/(F/K) - (1 - math.exp(-s["time"]/TAU)))
+            for s in table("bond", "clumpShape"))
+out.add("one bond, largest error of x K/F, step tau/100", 100*worst, "%", 0, 0.0005,
+        "Kelvin-Voigt exact")
 write_table("data.csv", ["case", "t_s", "value"], data)
 
 fig, axes = plt.subplots(1, 3, figsize=(12, 3.6), squeeze=False)
@@ -61,8 +68,10 @@ axes[0][0].set_title("7 pN")
 axes[0][1].set_title("beta = 1500")
 for (cell, rows), colour in zip(cells.items(), ("C0", "C3")):
     curve = read(cell + ".fit/curve.csv")
-    axes[0][2].plot([float(p["time"]) for p in curve], [float(p["ratio"]) for p in curve], color=colour, label="fit")
-    axes[0][2].plot([float(p["time"]) for p in rows], [float(p["measured"]) for p in rows], "o", ms=3, color=colour,
+    axes[0][2].plot([float(p["time"]) for p in curve], [float(p["ratio"]) for p in curve],
+                    color=colour, label="fit")
+    axes[0][2].plot([float(p["time"]) for p in rows], [float(p["measured"]) for p in rows], "o",
+                    ms=3, color=colour,
                     label=f"Hochmuth 1979, cell {cell[-1]}")
 axes[0][2].set(title="recovery", xlabel="time after release [s]", ylabel="length / width")
 axes[0][2].legend()

@@ -6,7 +6,8 @@ The reference is for unbounded fluid; in a periodic cube of side L the mobility 
 import math
 from results import Results, deviation, mean, plt, read, save
 
-source = "reference/stokes_drag_rings_tori_biconcave_computed.csv, periodic correction of Hasimoto 1959"
+source = ("reference/stokes_drag_rings_tori_biconcave_computed.csv, "
+          "periodic correction of Hasimoto 1959")
 mu = 1.2e-3
 D = 7.82e-6
 rows = {r["shape"]: r for r in read("reference/stokes_drag_rings_tori_biconcave_computed.csv")}

@@ -1,8 +1,12 @@
-"""Eigenvalues of a pass, written to data.csv: momentum predictor, consistent pressure equation, rotational correction p -= c div u*.
+"""Eigenvalues of a pass, written to data.csv: momentum predictor, consistent pressure equation,
+rotational correction p -= c div u*.
 
-The matrix of one pass on the pressure, in a box of mesh cells as the solver discretises it (collocated, linear
-interpolation, compact Laplacian of p in the face flux), the old velocity held. A pass converges where all
-eigenvalues lie inside the unit circle. c is that of applications/rbcIbFoam/rotationalCorrection.H, in units of nu.
+The matrix of one pass on the pressure, in a box of mesh cells as the solver discretises it
+(collocated, linear
+interpolation, compact Laplacian of p in the face flux), the old velocity held. A pass converges
+where all
+eigenvalues lie inside the unit circle. c is that of applications/rbcIbFoam/rotationalCorrection.H,
+in units of nu.
 """
 import itertools
 
@@ -12,7 +16,8 @@ from results import write_table
 
 
 class Pass:
-    """Widths per direction; sides -x, +x, -y, ... 'wall' (U fixed, p zeroGradient) or 'open' (p fixed, U zeroGradient)"""
+    """Widths per direction; sides -x, +x, -y, ... 'wall' (U fixed, p zeroGradient) or 'open' (p
+    fixed, U zeroGradient)"""
 
     def __init__(self, widths, sides, viscous_number):
         dims, shape, dt = len(widths), [len(w) for w in widths], viscous_number
@@ -113,7 +118,8 @@ CASES = {
     "graded from the outlet": ([graded(8, 10), even(6), even(6)], CHANNEL),
     "thin layer at the outlet": ([np.append(even(7), 0.1), even(6), even(6)], CHANNEL),
     "flat mesh cells": ([0.2*even(8), even(6), even(6)], CHANNEL),
-    "corner of two outlets": ([even(7), even(7), even(6)], ("wall", "open", "wall", "open", "wall", "wall")),
+    "corner of two outlets": ([even(7), even(7), even(6)],
+                              ("wall", "open", "wall", "open", "wall", "wall")),
     "open on five sides": ([even(8), even(7), even(7)], ("wall",) + 5*("open",)),
     "open on all sides": ([even(8), even(8), even(8)], 6*("open",)),
 }

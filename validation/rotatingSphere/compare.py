@@ -28,9 +28,11 @@ figure, axes = plt.subplots()
 for test in names:
     keys = sorted(k for k in groups if k[0] == test)
     for key in keys:
-        print(f"{names[test]} D/dx {key[1]:g}: {mean(groups[key]):.4f} +- {deviation(groups[key]):.4f} of the exact value")
+        print(f"{names[test]} D/dx {key[1]:g}: {mean(groups[key]):.4f} +- "
+              f"{deviation(groups[key]):.4f} of the exact value")
         limit = "2%" if test == "rate" or key[1] >= 12 else "3%" if key[1] >= 8 else "10%"
-        results.add(f"{names[test]} D/dx {key[1]:g}", mean(groups[key]), "-", 1, limit, sources[test])
+        results.add(f"{names[test]} D/dx {key[1]:g}", mean(groups[key]), "-", 1, limit,
+                    sources[test])
     axes.errorbar([k[1] for k in keys], [mean(groups[k]) for k in keys],
                   [deviation(groups[k]) for k in keys], marker="o", capsize=3, label=names[test])
 axes.axhline(1, color="k", lw=1)

@@ -21,14 +21,16 @@ for r in runs:
 
 for colour, case in enumerate(("E1", "E2", "E4")):
     for axes, quantity in (left, "vel"), (right, "gap"):
-        points = [c for c in curves if (c["src"], c["case"], c["quantity"]) == ("ff", case, quantity)]
+        points = [c for c in curves
+                  if (c["src"], c["case"], c["quantity"]) == ("ff", case, quantity)]
         axes.plot([c["t_s"] for c in points], [c["value"] for c in points], "o", mfc="none", ms=4,
                   color=f"C{colour}")
         for resolution in sorted({r["D_dx"] for r in uniform}):
             if not any((r["case"], r["D_dx"]) == (case, resolution) for r in uniform):
                 continue
             rows = read(f"history-{case}-{resolution:g}.csv")
-            shown = [r["velocity_m_s"] if quantity == "vel" else (r["z_m"] - 0.0075)/0.015 for r in rows]
+            shown = [r["velocity_m_s"] if quantity == "vel" else (r["z_m"] - 0.0075)/0.015
+                     for r in rows]
             axes.plot([r["t_s"] for r in rows], shown, color=f"C{colour}",
                       ls="-" if resolution == finest else "--",
                       label=f"{case}, D/dx {resolution:g}" if axes is left else None)

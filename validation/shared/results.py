@@ -13,7 +13,8 @@ A tolerance is absolute, or relative to the reference with a % sign. The status 
 
     within         the value is within the tolerance of the reference
     OUTSIDE        it is not: the validation fails
-    known miss     it is not, the miss is recorded (known) and explained in the README, and the value
+    known miss     it is not, the miss is recorded (known) and explained in the README, and the
+    value
                    is not farther from the reference than the recorded one
     MARK IS STALE  the recorded miss is within the tolerance now: take its mark away; fails
     no reference   the row has none; it is reported, and counts neither way
@@ -65,7 +66,8 @@ class Results:
         self.rows = []
 
     def add(self, quantity, value, unit, reference, tolerance, source, known=None):
-        self.rows.append([quantity, f"{value:.6g}", unit, f"{reference:.6g}", str(tolerance), source,
+        self.rows.append([quantity, f"{value:.6g}", unit, f"{reference:.6g}", str(tolerance),
+                          source,
                           "" if known is None else f"{known:.6g}"])
 
     def report(self, quantity, value, unit, source):

@@ -3,7 +3,8 @@
 from results import Results, deviation, mean, plt, read, save
 
 source = "Zick and Homsy 1982, reference/periodic_sphere_array_drag.csv"
-K0 = {r["phi"]: r["K_zick"] for r in read("reference/periodic_sphere_array_drag.csv") if r["K_zick"] != ""}
+K0 = {r["phi"]: r["K_zick"] for r in read("reference/periodic_sphere_array_drag.csv")
+      if r["K_zick"] != ""}
 
 groups = {}
 for r in read("data.csv"):
@@ -18,14 +19,16 @@ for (fraction, forcing, phi, resolution), rows in groups.items():
         errors = [100*(r["K"]/K0[phi] - 1) for r in rows]
         ofMean, ofDeviation = limits[resolution]
         name = f"phi {phi:g} D/dx {resolution:g}"
-        results.add(f"mean drag error {name}", mean(errors), "%", 0, ofMean, source, known.get((phi, resolution)))
+        results.add(f"mean drag error {name}", mean(errors), "%", 0, ofMean, source,
+                    known.get((phi, resolution)))
         results.add(f"standard deviation {name}", deviation(errors), "%", 0, ofDeviation, source)
 
 print("solid fraction, forcing: mean error +- standard deviation in %, seconds per run")
 for (fraction, forcing, phi, resolution), rows in groups.items():
     errors = [100*(r["K"]/K0[phi] - 1) for r in rows]
     print(f"{fraction:15s} {forcing:11s} phi {phi:<6g} D/dx {resolution:<3g}"
-          f"{mean(errors):8.1f} +- {deviation(errors):4.1f}   {mean([r['seconds'] for r in rows]):6.2f} s")
+          f"{mean(errors):8.1f} +- {deviation(errors):4.1f}   "
+          f"{mean([r['seconds'] for r in rows]):6.2f} s")
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4))
 models = sorted({k[:2] for k in groups}, key=lambda m: m != ("tetClipping", "sharp"))

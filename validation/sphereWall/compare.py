@@ -14,7 +14,8 @@ source = {
 
 groups = {}
 for r in read("data.csv"):
-    groups.setdefault((r["direction"], r["gap_over_a"], r["D_dx"], r["width_over_D"]), []).append(r["lambda"])
+    groups.setdefault((r["direction"], r["gap_over_a"], r["D_dx"], r["width_over_D"]),
+                      []).append(r["lambda"])
 
 # A gap of one mesh cell, see the README
 known = {("normal", 0.5, 4, 20): None, ("normal", 0.5, 4, 12): None}
@@ -28,11 +29,14 @@ for (direction, gap, resolution, width), values in groups.items():
                     known.get((direction, gap, resolution, width)))
 for colour, direction in enumerate(exact):
     gaps = sorted(g for g in exact[direction] if 0.25 < g <= 5)
-    axes.plot(gaps, [exact[direction][g] for g in gaps], ".-", ms=4, color=f"C{colour}", label=f"{direction}, exact (tabulated)")
+    axes.plot(gaps, [exact[direction][g] for g in gaps], ".-", ms=4, color=f"C{colour}",
+              label=f"{direction}, exact (tabulated)")
     for resolution, mark in (4, "o"), (8, "s"):
-        points = [(k[1], mean(v)) for k, v in groups.items() if k[0] == direction and k[2] == resolution]
+        points = [(k[1], mean(v)) for k, v in groups.items() if k[0] == direction
+                  and k[2] == resolution]
         if points:
-            axes.plot(*zip(*points), mark, mfc="none", color=f"C{colour}", label=f"D/dx {resolution}")
+            axes.plot(*zip(*points), mark, mfc="none", color=f"C{colour}",
+                      label=f"D/dx {resolution}")
 axes.set_xlabel("gap between sphere and wall / radius a")
 axes.set_ylabel("drag / Stokes drag 6 pi mu a U")
 axes.set_xscale("log")

@@ -6,7 +6,8 @@ from results import Results, half_turn, plt, read, save
 
 shear = 200
 ring = "ring 10 spheres r=1.955;R=1.955"
-ratio = next(r["aspect_ratio"] for r in read("reference/effectiveAspectRatio.csv") if r["body"] == ring)
+ratio = next(r["aspect_ratio"] for r in read("reference/effectiveAspectRatio.csv")
+             if r["body"] == ring)
 
 
 def turned(rows):
@@ -31,7 +32,8 @@ for run in read("data.csv"):
     rows = read(run["file"])
     times, angles = [r["t_s"] for r in rows], turned(rows)
     results.add(f"period x shear rate, {name}", 2*half_turn(times, angles)*shear, "-",
-                2*math.pi*(ratio + 1/ratio), "2%", "Jeffery 1922, reference/effectiveAspectRatio.csv")
+                2*math.pi*(ratio + 1/ratio), "2%",
+                "Jeffery 1922, reference/effectiveAspectRatio.csv")
     axes.plot([math.degrees(a) for a in angles], [-r["rate"]/shear for r in rows], "--", label=name)
 
 axes.set_xlabel("angle between the axis and the flow [degrees]")

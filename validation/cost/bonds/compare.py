@@ -21,16 +21,20 @@ write_table("data.csv", ["case", "run", "value"], data)
 
 out = Results()
 speed = max(runs["explicit undamped"])
-out.add("explicit, six stiffnesses: time per million sphere-steps", 1e3/speed, "ms", 0, round(1e3/30, 1),
+out.add("explicit, six stiffnesses: time per million sphere-steps", 1e3/speed, "ms", 0,
+        round(1e3/30, 1),
         "wanted: 30 million a second")
 for case, values in runs.items():
-    # Steps of 1 ms, in which the cells of this test turn a twentieth of a radian, take more iterations: data.csv
+    # Steps of 1 ms, in which the cells of this test turn a twentieth of a radian, take more
+    # iterations: data.csv
     if case.startswith("implicit") and float(case.split()[2]) < 1e-3:
         out.add(f"{case}: time per clump and step", min(values), "us", 0, 20, "wanted")
 
 for case, values in runs.items():
     print(f"{case:<32} {min(values) if case.startswith('implicit') else max(values):8.1f}",
-          "us per clump and step" if case.startswith("implicit") else "million sphere-steps per second")
+          "us per clump and step" if case.startswith("implicit")
+          else "million sphere-steps per second")
 if "LAMMPS, harmonic bonds" in runs:
-    print(f"explicit, six stiffnesses over LAMMPS, one: {speed/max(runs['LAMMPS, harmonic bonds']):.2f}")
+    print(f"explicit, six stiffnesses over LAMMPS, one: "
+          f"{speed/max(runs['LAMMPS, harmonic bonds']):.2f}")
 out.write()

@@ -1,6 +1,7 @@
 """Runs pisoFoam and rbcIbFoam in turns and writes their time per step to data.csv (see Allrun).
 
-Time is processor time of serial runs, so that other work on the machine matters less; a run of 10 steps is taken off
+Time is processor time of serial runs, so that other work on the machine matters less; a run of 10
+steps is taken off
 one of 50, so that start-up does not count.
 """
 

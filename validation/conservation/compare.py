@@ -29,11 +29,12 @@ for ranks in "124":
     results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0,
                 "1e-14",
                 "Newton: what the clumps gain the fluid loses")
-    left.semilogy(range(1, len(balance) + 1), balance, label=f"third law, ranks: {ranks}")
+    left.semilogy(range(1, len(balance) + 1), balance,
+                  label=f"third law / sum of all forces, ranks: {ranks}")
 
 for case, name in ("none", "a force instead of cells"), ("1", "two cells"):
     left.semilogy(range(1, len(continuity(case)) + 1), continuity(case), ls="--",
-                  label=f"continuity, {name}")
+                  label=f"mean |div u - dilation| dt, {name}")
 results.add("continuity error, cells over no cells, medians",
             median(continuity("1"))/median(continuity("none")),
             "", 1, "30%", "same solvers, a force on one mesh cell instead of the cells")
@@ -97,9 +98,9 @@ for resolution in sorted({r["D_dx"] for r in data}):
                     "0.1%", "the other force integral")
 
 left.set_xlabel("step")
-left.set_ylabel("third law: over the sum of all forces; continuity: mean |div u| dt")
-left.set_ylim(1e-19, None)
-left.legend(fontsize=8, loc="lower center", ncol=2)
+left.set_ylabel("error of a step")
+left.set_ylim(1e-24, None)
+left.legend(fontsize=8, loc="lower center")
 right.set_xlabel("sphere diameter / mesh cell width")
 right.set_ylabel("drag / mean velocity [pN s/um]")
 right.legend()

@@ -39,7 +39,7 @@ for run in read("data.csv"):
 axes.set_xlabel("angle between the axis and the flow [degrees]")
 axes.set_ylabel("angular velocity / shear rate")
 axes.set_xlim(0, 250)
-axes.set_ylim(0, 1.5)
+axes.set_ylim(0, 1.3)
 axes.legend(fontsize=8, loc="upper center")
 save(figure, "tumblingRing.png")
 results.write()

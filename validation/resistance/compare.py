@@ -12,7 +12,7 @@ results = Results()
 for r in rows:
     print(f"D/dx {r['D_dx']:g}, {r['steps']:g} steps, dilation {r['dilation']}: asymmetry "
           f"{r['asymmetry']:.1e}, "
-          f"eigenvalues {r['smallest']:.3f} to {r['largest']:.3f}, margin above "
+          f"eigenvalues {r['smallest']:.3f} to {r['largest']:.3f}, coefficient above "
           f"{r['largest']/2:.2f}")
 for r in steady:
     results.add(f"asymmetry, D/dx {r['D_dx']:g}", r["asymmetry"], "", 0, "1e-5", SOURCE)

@@ -27,7 +27,7 @@ figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
 for ranks in "124":
     balance = [row["thirdLaw"] for row in table(ranks, "momentumBalance")]
     results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0,
-                "1e-14",
+                "1e-15",
                 "Newton: what the clumps gain the fluid loses")
     left.semilogy(range(1, len(balance) + 1), balance,
                   label=f"third law / sum of all forces, ranks: {ranks}")
@@ -52,9 +52,9 @@ for ranks in "24":
         return min(d, BOX - d)/BOX
     position = max(apart(a, b) for r, s in zip(serial, other) for a, b in zip(r[3:], s[3:]))
     assert len(serial) == len(other)
-    results.add(f"force on {ranks} ranks against one", force, "", 0, "1e-9",
+    results.add(f"force on {ranks} ranks against one", force, "", 0, "1e-10",
                 "the same run in serial")
-    results.add(f"position on {ranks} ranks against one", position, "", 0, "1e-10",
+    results.add(f"position on {ranks} ranks against one", position, "", 0, "5e-11",
                 "the same run in serial")
 
 # Momentum over the outer iterations: identities hold in every step, the rest goes to zero
@@ -67,7 +67,7 @@ for r in terms:
           f"{r['fluid']:.0e}, "
           f"not received {r['exchange']:.0e}, total {r['total']:.0e}")
     for column in "thirdLaw", "clumps":
-        results.add(f"{name}: {column}", r[column], "", 0, "1e-15", "an identity of every step")
+        results.add(f"{name}: {column}", r[column], "", 0, "5e-16", "an identity of every step")
 most = max(r["passes"] for r in terms)
 for r in terms:
     if r["passes"] == most and r["ranks"] == 1:

@@ -100,7 +100,7 @@ write_table("data.csv", ["population", "N", "quantity", "force_pN", "measured_um
             data)
 
 # Figure
-fig, axes = plt.subplots(2, 3, figsize=(11, 6.6), squeeze=False)
+fig, axes = plt.subplots(2, 3, figsize=(12, 6.8), squeeze=False)
 styles = {8: ":", 10: "-", 16: "--"}
 colours = {"axial": "C3", "transverse": "C0"}
 
@@ -122,7 +122,7 @@ def draw(ax, case, title):
 for ax, (case, name) in zip(axes.flat, POPULATIONS.items()):
     draw(ax, case, name)
 draw(axes[1][1], "printed", "healthy, law as printed")
-draw(axes[1][2], "conserved-5e-5", "healthy, enclosed area held by 50 uN/m")
-axes[1][0].legend(fontsize=8, ncol=2, loc="upper left")
+draw(axes[1][2], "conserved-5e-5", "healthy, area held by 50 uN/m")
+axes[1][0].legend(fontsize=7, ncol=2, loc="upper left")
 save(fig, "stretching.png")
 out.write()

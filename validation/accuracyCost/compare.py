@@ -1,11 +1,11 @@
-"""Error against cost of every numerical choice, scene by scene; the Pareto front, the presets and the paper's choice."""
+"""Error against cost of every numerical choice, scene by scene; the Pareto front, the presets and
+the paper's choice."""
 
-import sys
-sys.path.append("../shared")
 from results import Results, plt, read, save
 
 unit = {"array": "processor seconds per array", "tether": "processor seconds per simulated second",
-        "shear": "processor seconds per simulated second", "stretching": "processor seconds per curve"}
+        "shear": "processor seconds per simulated second",
+        "stretching": "processor seconds per curve"}
 title = {"array": "Drag of a cubic array of spheres", "tether": "Drag on the tethered cell",
          "shear": "Rotation of a free cell in shear", "stretching": "Stretching curve"}
 
@@ -13,7 +13,8 @@ rows = read("data.csv")
 
 
 def value(scene, knob, setting):
-    found = [r["value"] for r in rows if r["scene"] == scene and r["knob"] == knob and r["setting"] == setting]
+    found = [r["value"] for r in rows if r["scene"] == scene and r["knob"] == knob
+             and r["setting"] == setting]
     return found[0] if found else None
 
 
@@ -51,7 +52,8 @@ def front(scene):
 
 for scene in title:
     on_front = front(scene)
-    lost = [f"{r['knob']} {r['setting']}" for r in rows if r["scene"] == scene and r["value"] == "lost"]
+    lost = [f"{r['knob']} {r['setting']}" for r in rows if r["scene"] == scene
+            and r["value"] == "lost"]
     print(f"\n{title[scene]}\n  {'knob':14s} {'setting':18s} {'error':>8s}  {unit[scene]}")
     for cost, error, knob, setting in sorted(points[scene], key=lambda p: (p[2], p[0])):
         print(f"  {knob:14s} {setting:18s} {100*error:7.2f} %  {cost:10.3g}"
@@ -59,7 +61,8 @@ for scene in title:
     for name in lost:
         print(f"  {name}: lost its stability")
 
-# Of the knobs with a scale every setting is written beside its point, of the others beside the knob's name
+# Of the knobs with a scale every setting is written beside its point, of the others beside the
+# knob's name
 scales = ("D/dx", "dt", "N", "refinement")
 figure, axes = plt.subplots(2, 2, figsize=(17, 10))
 for axis, scene in zip(axes.flat, title):
@@ -68,17 +71,20 @@ for axis, scene in zip(axes.flat, title):
         own = sorted(p for p in points[scene] if p[2] == knob)
         line = "-" if knob in ("D/dx", "dt", "N") else "none"
         name = knob if knob in scales else f"{knob}: {', '.join(p[3] for p in own)}"
-        axis.plot([p[0] for p in own], [100*p[1] for p in own], "os^vD<>phX*"[i % 11], ls=line, lw=0.8, ms=6,
+        axis.plot([p[0] for p in own], [100*p[1] for p in own], "os^vD<>phX*"[i % 11], ls=line,
+                  lw=0.8, ms=6,
                   color=plt.cm.tab20(i), label=name)
         for cost, error, _, setting in own if knob in scales else ():
-            axis.annotate(setting, (cost, 100*error), fontsize=7, xytext=(4, 4), textcoords="offset points")
+            axis.annotate(setting, (cost, 100*error), fontsize=7, xytext=(4, 4),
+                          textcoords="offset points")
     best = front(scene)
     axis.plot([p[0] for p in best], [100*p[1] for p in best], "k--", lw=1, label="Pareto front")
     for cost, error, knob, setting in points[scene]:
         if knob in ("preset", "paper"):
             axis.plot(cost, 100*error, "*" if knob == "preset" else "X", color="r", ms=13, zorder=5)
             paper = knob == "paper"
-            axis.annotate("the paper's choice" if paper else setting, (cost, 100*error), fontsize=9, color="r",
+            axis.annotate("the paper's choice" if paper else setting, (cost, 100*error), fontsize=9,
+                          color="r",
                           ha="right" if paper else "left", xytext=(-10, -4) if paper else (6, -11),
                           textcoords="offset points")
     axis.set_xscale("log")
@@ -96,13 +102,16 @@ for name, limit in ("draft", 10), ("standard", 4), ("fine", 1.5):
         results.add(f"error of preset {name}", 100*presets[name][1], "%", 0, limit, "tethered cell")
         cheaper = [p[0] for p in points["tether"] if p[1] <= presets[name][1] and p[2] != "preset"]
         if cheaper:
-            results.add(f"cost of preset {name} over the cheapest of its accuracy", presets[name][0]/min(cheaper), "-",
+            results.add(f"cost of preset {name} over the cheapest of its accuracy",
+                        presets[name][0]/min(cheaper), "-",
                         0, 1.1, "Pareto front")
 if len(presets) == 3:
-    results.add("cost of fine over that of draft", presets["fine"][0]/presets["draft"][0], "-", 60, 40, "20 at least")
+    results.add("cost of fine over that of draft", presets["fine"][0]/presets["draft"][0], "-", 60,
+                40, "20 at least")
 for scene in "array", "tether", "shear":
     meshes = sorted((p for p in points[scene] if p[2] == "D/dx"), key=lambda p: float(p[3]))
     if len(meshes) > 1:
-        results.add(f"{scene}: error on the finest over that on the coarsest mesh", meshes[-1][1]/meshes[0][1], "-", 0, 1,
+        results.add(f"{scene}: error on the finest over that on the coarsest mesh",
+                    meshes[-1][1]/meshes[0][1], "-", 0, 1,
                     "converges")
 results.write()

@@ -3,8 +3,6 @@ and the angle phi between the long axis and the flow, tan phi = tan(gamma t r/(r
 the period is T = 2 pi (r + 1/r)/gamma."""
 
 import math
-import sys
-sys.path.append("../shared")
 from results import Results, half_turn, plt, read, save
 
 shear = 200
@@ -34,11 +32,11 @@ for run in read("data.csv"):
     rows = read(run["file"])
     times, angles = [r["t_s"] for r in rows], turned(rows)
     results.add(f"period x shear rate, {name}", 2*half_turn(times, angles)*shear, "-",
-                2*math.pi*(ratio + 1/ratio), "5%" if run["D_dx"] < 6 else "3%", "Jeffery 1922")
+                2*math.pi*(ratio + 1/ratio), "3%" if run["D_dx"] < 6 else "1%", "Jeffery 1922")
     axes.plot([t*shear for t in times], [math.degrees(a) for a in angles], "--", label=name)
 
 axes.set_xlabel("shear rate x time")
-axes.set_ylabel("angle turned [degrees]")
+axes.set_ylabel("angle turned by the long axis [degrees]")
 axes.legend(fontsize=8)
 save(figure, "jeffery.png")
 results.write()

@@ -2,7 +2,8 @@
 
     python3 tube.py <cell width> <x:radius> <x:radius> ...
 
-Lengths in um. The radius goes linearly from station to station; inlet and outlet are cyclic; the number of cells across
+Lengths in um. The radius goes linearly from station to station; inlet and outlet are cyclic; the
+number of cells across
 is that of the widest station.
 """
 
@@ -63,7 +64,8 @@ print(");\n\nboundary\n(")
 
 def faces(station):
     a = 8*station
-    return [(a, a + 1, a + 2, a + 3)] + [(a + 4 + k, a + 4 + (k + 1) % 4, a + (k + 1) % 4, a + k) for k in range(4)]
+    return [(a, a + 1, a + 2, a + 3)] + [(a + 4 + k, a + 4 + (k + 1) % 4, a + (k + 1) % 4, a + k)
+                                         for k in range(4)]
 
 
 def patch(name, entries, quads):

@@ -1,8 +1,11 @@
 """Effective aspect ratio of bodies of revolution in Stokes shear, without a mesh.
 
-Bretherton (1962): any body of revolution turns in shear as a spheroid with the aspect ratio r_e. Held with its axis
-along the gradient and along the flow it feels torques in the ratio r_e^2 (Cox 1971). The torques come from a single
-layer of regularised Stokeslets (Cortez, Fauci & Medovikov 2005) on the surface, extrapolated linearly to zero
+Bretherton (1962): any body of revolution turns in shear as a spheroid with the aspect ratio r_e.
+Held with its axis
+along the gradient and along the flow it feels torques in the ratio r_e^2 (Cox 1971). The torques
+come from a single
+layer of regularised Stokeslets (Cortez, Fauci & Medovikov 2005) on the surface, extrapolated
+linearly to zero
 spacing. Spheroids, whose r_e is known, show the error.
 
     python3 aspectRatio.py      # writes reference/effectiveAspectRatio.csv, half a minute
@@ -39,7 +42,8 @@ def spheroid(q, n):
 
 
 def torques(points, spacing):
-    """Torques on the body held in two shear flows, its axis z along the gradient and along the flow."""
+    """Torques on the body held in two shear flows, its axis z along the gradient and along the
+    flow."""
     eps = 0.5*spacing
     n = len(points)
     d = points[:, None] - points[None]
@@ -75,8 +79,10 @@ if __name__ == "__main__":
         ("ring 10 spheres r=1.30;R=2.61", lambda n: ring(10, 2.61, 1.30, n//6), None),
     ]
     with open("reference/effectiveAspectRatio.csv", "w") as out:
-        out.write("# COMPUTED by aspectRatio.py: effective aspect ratio in Stokes shear (Bretherton 1962) from the torques on"
-                  " the held body,\n# regularised Stokeslets, about 700 and 1400 points, extrapolated to zero spacing.\n")
+        out.write("# COMPUTED by aspectRatio.py: effective aspect ratio in Stokes shear "
+                  "(Bretherton 1962) from the torques on"
+                  " the held body,\n# regularised Stokeslets, about 700 and 1400 points, "
+                  "extrapolated to zero spacing.\n")
         out.write("body,aspect_ratio,exact\n")
         for name, body, exact in bodies:
             line = f"{name},{aspect_ratio(body):.4f},{exact or ''}"

@@ -2,13 +2,12 @@
 its effective aspect ratio r (Bretherton 1962), period T = 2 pi (r + 1/r)/gamma."""
 
 import math
-import sys
-sys.path.append("../shared")
 from results import Results, half_turn, plt, read, save
 
 shear = 200
 ring = "ring 10 spheres r=1.955;R=1.955"
-ratio = next(r["aspect_ratio"] for r in read("reference/effectiveAspectRatio.csv") if r["body"] == ring)
+ratio = next(r["aspect_ratio"] for r in read("reference/effectiveAspectRatio.csv")
+             if r["body"] == ring)
 
 
 def turned(rows):
@@ -33,13 +32,14 @@ for run in read("data.csv"):
     rows = read(run["file"])
     times, angles = [r["t_s"] for r in rows], turned(rows)
     results.add(f"period x shear rate, {name}", 2*half_turn(times, angles)*shear, "-",
-                2*math.pi*(ratio + 1/ratio), "5%", "Jeffery 1922, reference/effectiveAspectRatio.csv")
+                2*math.pi*(ratio + 1/ratio), "2%",
+                "Jeffery 1922, reference/effectiveAspectRatio.csv")
     axes.plot([math.degrees(a) for a in angles], [-r["rate"]/shear for r in rows], "--", label=name)
 
 axes.set_xlabel("angle between the axis and the flow [degrees]")
-axes.set_ylabel("rate / shear rate")
+axes.set_ylabel("angular velocity / shear rate")
 axes.set_xlim(0, 250)
-axes.set_ylim(0, 1.5)
+axes.set_ylim(0, 1.3)
 axes.legend(fontsize=8, loc="upper center")
 save(figure, "tumblingRing.png")
 results.write()

@@ -1,13 +1,12 @@
 """What effects cost that a scene does not need, and the estimates against the runs."""
 
 import statistics
-import sys
-sys.path.append("../../shared")
 from results import Results, read
 
 results = Results()
 rows = read("data.csv")
-seconds = {c: statistics.median(r["seconds"] for r in rows if r["choice"] == c) for c in ("auto", "off", "on")}
+seconds = {c: statistics.median(r["seconds"] for r in rows if r["choice"] == c)
+           for c in ("auto", "off", "on")}
 speed = {c: [r["velocity_m_s"] for r in rows if r["choice"] == c][0] for c in seconds}
 charged = statistics.median(r["effects_seconds"] for r in rows if r["choice"] == "on")
 
@@ -26,25 +25,31 @@ for c, s in seconds.items():
     print(f"{c:6s}  {s:24.3f}   {s/seconds['off']:8.4f}")
 for effect in "convection", "gravity", "contact", "walls":
     results.add(f"calls of {effect} with auto", calls("auto", effect), "-", 0, 0, "ledger")
-results.add("time with auto over that with off", seconds["auto"]/seconds["off"], "-", 1, "2%", "medians of runs in turns")
-results.add("velocity of the cell with auto over that with all on", speed["auto"]/speed["on"], "-", 1, "0.1%",
+results.add("time with auto over that with off", seconds["auto"]/seconds["off"], "-", 1, "2%",
+            "medians of runs in turns")
+results.add("velocity of the cell with auto over that with all on", speed["auto"]/speed["on"], "-",
+            1, "0.1%",
             "auto changes nothing")
-results.add("part of the step without a line in the ledger", max(r["rest_percent"] for r in rows), "%", 0, 3, "ledger")
+results.add("part of the step without a line in the ledger", max(r["rest_percent"] for r in rows),
+            "%", 0, 3, "ledger")
 
 # The ledger's own cost: its calls, each at the price ledgerCost measured
 price = float(open("ledger-cost").read())
 share = 0
 for choice in "auto", "on":
-    n = sum(int(words[2]) for words in (line.split() for line in open(f"ledger-{choice}").readlines()[2:])
+    n = sum(int(words[2])
+            for words in (line.split() for line in open(f"ledger-{choice}").readlines()[2:])
             if len(words) == 5 and words[2].isdigit())
     share = max(share, 100*n*price/seconds[choice])
     print(f"ledger, {choice}: {n} calls of {1e9*price:.0f} ns")
 results.add("the ledger's own part of the time", share, "%", 0, 0.5, "calls x price")
 extra = seconds["on"] - seconds["off"]
-print(f"all on: {extra:.3f} s more than off, of which the ledger names {charged:.3f} s in {', '.join(('convection', 'gravity', 'contact', 'walls'))}")
+print(f"all on: {extra:.3f} s more than off, of which the ledger names {charged:.3f} s in "
+      f"{', '.join(('convection', 'gravity', 'contact', 'walls'))}")
 for r in read("estimates.csv"):
     if r["case"] == "stretching tutorial":
-        print(f"estimate over run, {r['case']}: {r['estimate_s']:.2f} s, {r['run_s']:.2f} s, mostly writing")
+        print(f"estimate over run, {r['case']}: {r['estimate_s']:.2f} s, {r['run_s']:.2f} s, "
+              f"mostly writing")
         continue
     results.add(f"estimate over run: {r['case']}",
                 r["estimate_s"]/r["run_s"], "-", 1, "15%", "-estimate")

@@ -11,11 +11,12 @@ Description
 
         calibrateClump [-evaluate] [-variant n] calibration
 
-    reads the dictionary "calibration", fits (or, with -evaluate, takes the type
-    as it is) all variants (or variant n alone) and writes into a folder of its
-    name with .fit (or .evaluated, and n): the type to paste into constant/clumpProperties (clumpType), the
-    residual of every point (residuals.csv) and a smooth curve (curve.csv);
-    applications/calibrateClump/plotCalibration draws both.
+    reads the dictionary "calibration" and fits all variants of the type, or
+    variant n alone; with -evaluate it takes the type as it is. It writes into a
+    folder of the dictionary's name with .fit (or .evaluated, and n): the type to
+    include in constant/clumpProperties (clumpType), the residual of every point
+    (residuals.csv) and a smooth curve (curve.csv), which
+    applications/calibrateClump/plotCalibration draws.
 
     \verbatim
         test        { type stretching; ... }    // see mechanicalTest

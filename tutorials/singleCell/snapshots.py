@@ -2,7 +2,8 @@
 
     python3 snapshots.py together|panels <number> <x:r> <x:r> ...
 
-together: all times in one picture, as many as fit, panels: one picture each at equal intervals, moving with the clump.
+together: all times in one picture, as many as fit, panels: one picture each at equal intervals,
+moving with the clump.
 Lengths in um; the spheres are those of VTK/clumps, sphere 0 is marked. Writes result.png.
 """
 
@@ -19,7 +20,10 @@ together = sys.argv[1] == "together"
 number = int(sys.argv[2])
 xs, rs = zip(*((float(v) for v in word.split(":")) for word in sys.argv[3:]))
 
-files = sorted(glob.glob("VTK/clumps/spheres_*.vtp"), key=lambda f: int(re.findall(r"_(\d+)\.vtp", f)[0]))
+files = sorted(
+    glob.glob("VTK/clumps/spheres_*.vtp"),
+    key=lambda f: int(re.findall(r"_(\d+)\.vtp", f)[0])
+)
 with open("VTK/clumps/spheres.vtp.series") as series:
     times = [float(t) for t in re.findall(r'"time" *: *([-+.\de]+)', series.read())]
 if len(times) < 2:
@@ -36,7 +40,8 @@ def spheres(path):
     reader.SetFileName(path)
     reader.Update()
     data = reader.GetOutput()
-    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*vtk_to_numpy(data.GetPointData().GetArray("radius"))
+    radii = vtk_to_numpy(data.GetPointData().GetArray("radius"))
+    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
 
 
 if together:

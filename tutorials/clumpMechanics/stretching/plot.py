@@ -13,7 +13,8 @@ shape = r.clump_shape()
 fig, axes = r.figure(1, 1, 5, 3.8)
 ax = axes[0][0]
 force = [float(row["force_pN"]) for row in measured]
-for quantity, error, column, colour in (("axial", "sdA_um", 0, "C3"), ("transverse", "sdT_um", 1, "C0")):
+for quantity, error, column, colour in (
+        ("axial", "sdA_um", 0, "C3"), ("transverse", "sdT_um", 1, "C0")):
     value = [float(row[quantity + "_um"]) for row in measured]
     bar = [float(row[error] or 0) for row in measured]
     ax.errorbar(force, value, bar, fmt="o", ms=4, capsize=2, lw=0.8, color="0.45",

@@ -1,8 +1,9 @@
 """The drag on the tethered cell as the case gives it, and an independent reference for it.
 
-Reference: the drag of the undeformed ring in unbounded fluid, edgewise, from reference/ (computed by a boundary
-integral method), carried over to the cell's present shape, the bead in front of it, the walls and the periodic
-images by slitMobility.py. A factor corrects for what Rotne-Prager mobilities miss on the undeformed ring.
+The reference is the drag of the undeformed ring in unbounded fluid, edgewise, from reference/
+(computed by a boundary integral method). slitMobility.py transfers it to the present shape of the
+cell, the bead in front of it, the walls and the periodic images. A factor corrects for what
+Rotne-Prager mobilities miss on the undeformed ring.
 """
 
 import csv
@@ -40,8 +41,11 @@ def spheres(case='.'):
     reader.Update()
     data = reader.GetOutput()
     fields = data.GetPointData()
-    return (1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*vtk_to_numpy(fields.GetArray('radius')),
-            vtk_to_numpy(fields.GetArray('clump')))
+    return (
+        1e6*vtk_to_numpy(data.GetPoints().GetData()),
+        1e6*vtk_to_numpy(fields.GetArray('radius')),
+        vtk_to_numpy(fields.GetArray('clump'))
+    )
 
 
 def table_value(shape, column):
@@ -52,8 +56,9 @@ def table_value(shape, column):
 
 
 def reference(x, a, cell, u_mean):
-    """Drag [pN] on the cell's spheres at the mean velocity u_mean [um/s]; the drag over speed of the undeformed ring in
-    unbounded fluid; the factor that makes Rotne-Prager exact for it. cell: which of the spheres x, a are the cell's."""
+    """Returns the drag [pN] on the spheres of the cell at the mean velocity u_mean [um/s], the drag
+    over speed of the undeformed ring in unbounded fluid, and the factor that makes Rotne-Prager
+    mobilities exact for it. cell: which of the spheres x, a belong to the cell."""
     angles = 2*np.pi*np.arange(10)/10
     ring = 1.955*np.column_stack([np.cos(angles), np.sin(angles), 0*angles])
     exact = table_value('ring 10 spheres a=1.955;R=1.955', 'FUx_pN_s_um')

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Prints the drag on the tethered cell and its shape, and compares the drag with an independent reference
-(cellDrag.py)."""
+"""Prints the drag on the tethered cell and its shape, and compares the drag with an independent
+reference (cellDrag.py)."""
 
 import sys
 import numpy as np
@@ -22,13 +22,15 @@ print('F_D/u, u = 1 mm/s mean         %8.4f pN s/um' % (F/u_mean))
 print('axial, transverse diameter     %8.2f x %.2f um' % (axial, transverse))
 print('speed of the cell              %8.4f um/s' % settling)
 print('reference F_D/u                %8.4f pN s/um' % (F_reference/u_mean))
-print('  ring unbounded, edgewise     %8.4f pN s/um, times the shape, bead, walls (no slip, y)' % unbounded)
+print('  ring unbounded, edgewise     %8.4f pN s/um, times the shape, bead, walls (no slip, y)'
+      % unbounded)
 print('  and periodic images (x, z); Rotne-Prager on the ring times %.3f is exact' % factor)
 print('deviation                      %8.1f %%' % (100*(F/F_reference - 1)))
 
 with open('result.csv', 'w') as f:
     f.write('quantity,value,unit,reference,tolerance,source\n')
-    f.write('F_D/u,%.5f,pN s/um,%.5f,5%%,"ring unbounded (computed), with shape, bead, wall and periodic corrections"\n'
+    f.write('F_D/u,%.5f,pN s/um,%.5f,5%%,'
+            '"ring unbounded (computed), with shape, bead, wall and periodic corrections"\n'
             % (F/u_mean, F_reference/u_mean))
     f.write('axial diameter,%.3f,um,,,\n' % axial)
     f.write('transverse diameter,%.3f,um,,,\n' % transverse)

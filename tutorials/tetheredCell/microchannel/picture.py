@@ -26,7 +26,9 @@ view.OrientationAxesVisibility = 0
 view.ViewTime = time
 
 # Mid-plane coloured by speed in mm/s, below the spheres
-speed = Calculator(Input=CellDatatoPointData(Input=flow), ResultArrayName='speed', Function='1000*mag(U)')
+speed = Calculator(
+    Input=CellDatatoPointData(Input=flow), ResultArrayName='speed', Function='1000*mag(U)'
+)
 plane = Slice(Input=speed)
 plane.SliceType.Origin = [25e-6, 25e-6, 12.5e-6]
 plane.SliceType.Normal = [0, 0, 1]

@@ -1,9 +1,10 @@
 """Drag of spheres held in a periodic slit at zero Reynolds number, without a mesh.
 
-The spheres' mobilities in free space are those of Rotne, Prager and Yamakawa, with the form of Wajnryb et al.
-(J. Fluid Mech. 731 (2013) R3, doi:10.1017/jfm.2013.402) for overlapping spheres. Walls at y = +-H and periods in x
-and z enter as the difference between the velocity of a force in the slit and in free space, which is smooth: both
-are those of a Gaussian force, the first by Fourier series in x and z and Chebyshev collocation in y,
+The mobilities of the spheres in free space are those of Rotne, Prager and Yamakawa, with the form
+of Wajnryb et al. (J. Fluid Mech. 731 (2013) R3, doi:10.1017/jfm.2013.402) for overlapping spheres.
+Walls at y = +-H and periods in x and z enter as the difference between the velocity of a force in
+the slit and in free space, which is smooth. Both are velocities of a Gaussian force, the first by
+Fourier series in x and z and Chebyshev collocation in y,
 
     mu (D^2 - k^2)^2 v = i kx D f,     mu (D^2 - k^2) eta = -i kz f,     u = i (kx D v - kz eta)/k^2
 
@@ -14,7 +15,8 @@ import numpy as np
 
 
 def chebyshev(n):
-    """Points on [-1, 1] and the differentiation matrix (Trefethen, Spectral Methods in Matlab, 2000)."""
+    """Points on [-1, 1] and the differentiation matrix (Trefethen, Spectral Methods in Matlab,
+    2000)."""
     x = np.cos(np.pi*np.arange(n + 1)/n)
     c = np.hstack([2, np.ones(n - 1), 2])*(-1)**np.arange(n + 1)
     X = np.tile(x, (n + 1, 1)).T
@@ -23,7 +25,8 @@ def chebyshev(n):
 
 
 class Slit:
-    """Velocity along x at mid-height, per force along x at mid-height, in the slit minus in free space."""
+    """Velocity along x at mid-height per force along x at mid-height, in the slit minus in free
+    space."""
 
     def __init__(self, mu, lx, height, lz, width=1.5, n=64):
         self.mu, self.lx, self.lz, self.width = mu, lx, lz, width
@@ -38,15 +41,17 @@ class Slit:
         # v = (1 - (y/h)^2) q builds in v = D v = 0 with q = 0 at the walls
         s = 1 - points[inner]**2
         D4 = (np.diag(1 - points**2) @ np.linalg.matrix_power(D, 4)
-              - np.diag(8*points/h) @ np.linalg.matrix_power(D, 3) - 12/h**2*D2)[inner, inner] @ np.diag(1/s)
+              - np.diag(8*points/h) @ np.linalg.matrix_power(D, 3)
+              - 12/h**2*D2)[inner, inner] @ np.diag(1/s)
 
         # Flux-free mean flow: mu u'' = -f + G
         u = np.zeros((2, n + 1))
         A = self.mu*D2[inner, inner]
         u[0, inner] = np.linalg.solve(A, -f[inner])
         u[1, inner] = np.linalg.solve(A, np.ones(n - 1))
-        weights = np.linalg.lstsq(np.vander(points, n + 1, increasing=True).T,
-                                  np.array([(1 - (-1)**(j + 1))/(j + 1) for j in range(n + 1)]), rcond=None)[0]
+        moments = np.array([(1 - (-1)**(j + 1))/(j + 1) for j in range(n + 1)])
+        weights = np.linalg.lstsq(
+            np.vander(points, n + 1, increasing=True).T, moments, rcond=None)[0]
         flux = u @ weights
         self.mean = (u[0] - flux[0]/flux[1]*u[1])[middle]/(lx*lz)
 

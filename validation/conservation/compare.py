@@ -18,8 +18,8 @@ def continuity(case):
     steps, error = [], 0
     with open(f"run/{case}/log.rbcIbFoam") as file:
         for line in file:
-            if line.startswith("Continuity error"):
-                error = float(re.search(r"mean (\S+),", line).group(1))
+            if line.startswith("time step continuity errors"):
+                error = float(re.search(r"sum local = (\S+),", line).group(1))
             if line.startswith("Step "):
                 steps.append(error)
     return steps

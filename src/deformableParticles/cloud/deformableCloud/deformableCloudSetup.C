@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "accuracyLevel.H"
 #include "IOdictionary.H"
 #include "placement.H"
 #include "treeDataCell.H"
@@ -54,8 +55,7 @@ Foam::deformableCloud::deformableCloud
     // Numbers too large: as in readProperties
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
-    accuracy_(dict),
-    dict_(accuracy_.completed(dict)),
+    dict_(dict),
     effects_(dict_),
     ghosts_(mesh),
     contactGhosts_(mesh),
@@ -73,6 +73,8 @@ Foam::deformableCloud::deformableCloud
     wallClearance_(0),
     wallsOf_(-1)
 {
+    accuracyLevel::refuseOldEntry(dict_);
+
     // Other entries of the file are the user's own, to be referred to
     refuseMisspelt
     (
@@ -80,7 +82,7 @@ Foam::deformableCloud::deformableCloud
         {
             "types", "placement", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation", "exchange",
-            "immersedBoundary", "accuracy"
+            "immersedBoundary", "accuracyLevel"
         }
     );
     decideOnce();

@@ -30,12 +30,16 @@ public:
     {
         dict_.merge(dictOf(entries));
         testTime().setDeltaT(deltaT, false);
+
+        // They would start with the change of the step
+        testTime().functionObjects().off();
     }
 
     ~controlledTime()
     {
         dict_ = before_;
         testTime().setDeltaT(deltaT_, false);
+        testTime().functionObjects().on();
     }
 };
 

@@ -13,10 +13,9 @@ Description
     fibres), resolved by the mesh: PISO with direct forcing in the solid
     fraction of the clumps.
 
-    Controls in system/fvSolution, PISO: nOuterCorrectors (1: PISO),
-    nCorrectors, nNonOrthogonalCorrectors, consistent, momentumPredictor,
-    extrapolatePressure.
-    With nu dt/dx^2 above about 10 set consistent yes.
+    Controls: system/fvSolution, PISO (see incompressibleFlow); the time step in
+    system/controlDict (see timeStepControl); everything of the clumps in
+    constant/clumpProperties (see deformableCloud).
 
     With constant/dynamicMeshDict the mesh refines around the clumps
     (dynamicRefineFvMesh on the field clumpCloseness, see immersedBoundary).
@@ -25,146 +24,134 @@ Description
     frozen one or where it does not feel them (clumpProperties, effects) they are
     dragged by it.
 
-    rbcIbFoam -estimate runs a few steps and prints what the case will cost.
+    Options
+    \verbatim
+        -estimate       runs a few steps and prints what the case will cost
+        -resistance     measures the resistance of a clump to the flow that the
+                        case makes, see resistanceMeasurement
+    \endverbatim
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
-#include "singlePhaseTransportModel.H"
-#include "turbulentTransportModel.H"
-#include "pimpleControl.H"
-#include "fvOptions.H"
-#include "deformableCloud.H"
-#include "completeTime.H"
-#include "costEstimate.H"
-#include "pressureExtrapolation.H"
+#include "convectionCriterion.H"
+#include "incompressibleFlow.H"
+#include "meshRefinement.H"
+#include "resistanceMeasurement.H"
 #include "rotationalCorrection.H"
-#include "timeStepLimits.H"
-#include "stepReport.H"
-#include "watchdog.H"
+#include "runMonitor.H"
+#include "timeStepControl.H"
 
 int main(int argc, char* argv[])
 {
-    argList::addNote
-    (
-        "Incompressible flow with resolved deformable particles"
-    );
+    argList::addNote("Incompressible flow with resolved deformable particles");
+    runMonitor::addOptions();
+    resistanceMeasurement::addOptions();
 
-    argList::addBoolOption
-    (
-        "estimate",
-        "Run a few steps, print what the case will cost, write nothing"
-    );
-
-    #define CREATE_CONTROL createPressureControl.H
+    #define NO_CONTROL
     #include "postProcess.H"
     #include "setRootCase.H"
     Info<< "Create time" << nl << endl;
     completeTime runTime(args);
     #include "createDynamicFvMesh.H"
-
-    deformableCloud cells(mesh);
-    sceneEffects& active = cells.effects();
-    const accuracyPreset& accuracy = cells.accuracy();
-
-    // Function objects run in here
-    const auto goesOn = [&]()
-    {
-        const timeBreakdown::timer t(cells.timing(), "write");
-        return runTime.run();
-    };
-
-    timeStepLimits(runTime.controlDict(), accuracy);
-
-    if (!cells.hasFluid())
-    {
-        const auto evolve = [&]() { cells.evolve(); };
-        #include "clumpLoop.H"
-        return 0;
-    }
-
-    accuracy.complete(mesh);
-    #include "createPressureControl.H"
-    runTime.need("phi");
+    runTime.need("phi", "U");
     #include "createFields.H"
-    const auto& nu = mesh.lookupObject<volScalarField>("nu");
-    if (active.frozen())
+    #include "createFieldRefs.H"
+
+    sceneEffects& effects = cloud.effects();
+    timeBreakdown& timing = cloud.timing();
+    timeStepControl timeStep(runTime);
+    runMonitor monitor
+    (
+        runTime, cloud, args, flow.solved() ? piso.nCorrPIMPLE() : 0
+    );
+    resistanceMeasurement resistance(runTime, cloud, flow, args);
+    convectionCriterion convection(cloud, resistance.wanted());
+
+    if (flow.solved())
     {
-        const auto evolve = [&]() { cells.evolve(U, p, nu); };
-        #include "clumpLoop.H"
-        return 0;
+        convection.decide(U, nu);
+        cloud.startWithFlow(U, nu);
     }
+    monitor.start();
 
-    pressureExtrapolation extrapolation(p, piso.dict(), piso.nCorrPIMPLE());
-    stepReport report(runTime, cells);
-    watchdog guard(runTime, cells);
-    costEstimate estimate(runTime, cells, args.found("estimate"));
-    estimate.outerCorrectors(piso.nCorrPIMPLE());
-    #include "decideConvection.H"
-    active.print(Info);
-    accuracy.print(Info, cells.mostSpheres(), cells.cellsPerDiameter());
-
-    cells.startWithFlow(U, nu);
-    Info<< "Starting time loop" << nl << endl;
-
-    while (goesOn())
+    while (monitor.run())
     {
-        accuracy.complete(mesh);
-        timeBreakdown::timer checks(cells.timing(), "checks");
-        #include "flowNumbers.H"
-        #include "decideConvection.H"
-        const scalar viscousLimit =
-            stepReport::viscousLimit(piso.consistent(), piso.nCorrPISO());
-        #include "limitTimeStep.H"
+        resistance.beginStep();
+
+        if (flow.solved())
+        {
+            timeStep.measure(phi, nu, piso);
+            convection.decide(U, nu);
+        }
+        timeStep.adjust(cloud.maxSpeedOverRadius(), monitor.shortening());
 
         ++runTime;
-        report.beginStep(CoNum, viscousNum);
-        report.checkPressure(viscousNum, viscousLimit);
-        checks.stop();
+        monitor.beginStep();
 
-        if (active.active("refinement"))
+        if (flow.solved())
         {
-            #include "refineMesh.H"
-        }
+            refineAroundClumps(mesh, cloud, flow);
+            flow.beginStep();
 
-        extrapolation.beginStep();
-        if (cells.coupled())
-        {
-            cells.immerse(nu);
-        }
-
-        while (piso.loop())
-        {
-            if (cells.coupled() && !piso.firstIter())
+            if (cloud.coupled())
             {
-                cells.iterate(U, p, nu);
+                cloud.immerse(nu);
             }
 
-            const timeBreakdown::timer t(cells.timing(), "flow");
-
-            #include "UEqn.H"
-
-            while (piso.correct())
+            // --- Pressure-velocity coupling
+            while (piso.loop())
             {
-                #include "pEqn.H"
+                if (cloud.coupled() && !piso.firstIter() && !resistance.wanted())
+                {
+                    cloud.iterate(U, p, nu);
+                }
+                const timeBreakdown::timer t(timing, "flow");
+
+                #include "UEqn.H"
+
+                while (piso.correct())
+                {
+                    #include "pEqn.H"
+                }
+
+                laminarTransport.correct();
+                turbulence.correct();
             }
-
-            laminarTransport.correct();
-            turbulence->correct();
         }
-        fvOptions.correct(U);
-        extrapolation.endStep();
 
-        cells.evolve(U, p, nu);
+        if (resistance.wanted())
         {
-            const timeBreakdown::timer t(cells.timing(), "checks");
-            guard.check();
-            guard.check(report.continuityError(), U, p, phi);
+            resistance.endStep();
         }
-        cells.moveParcels();
+        else
+        {
+            // --- Clumps
+            if (flow.solved())
+            {
+                fvOptions.correct(U);
+                flow.endStep();
+            }
+            if (cloud.hasFluid())
+            {
+                cloud.evolve(U, p, nu);
+            }
+            else
+            {
+                cloud.evolve();
+            }
+            monitor.check();
+            if (flow.solved())
+            {
+                monitor.check(U, p, phi);
+            }
+            cloud.moveParcels();
+        }
 
-        #include "endStep.H"
+        monitor.write();
+        monitor.endStep();
     }
-    #include "endRun.H"
+    monitor.end();
+
     return 0;
 }

@@ -106,6 +106,19 @@ for name, limit in ("draft", 10), ("standard", 4), ("fine", 1.5):
                         presets[name][0]/min(cheaper), "-",
                         0, 1.1, "Pareto front")
 if len(presets) == 3:
+    # What the levels of etc/accuracy say of themselves, with two digits
+    rotation = {p[3]: p for p in points["shear"] if p[2] == "preset"}
+    name = "../../etc/accuracy/measured"
+    with open(name) as file:
+        head = file.read().split("\ndraft", 1)[0]
+    with open(name, "w") as file:
+        file.write(head + "\n")
+        for level in "draft", "standard", "fine":
+            figures = {"dragError": 100*presets[level][1], "dragCost": presets[level][0],
+                       "rotationError": 100*rotation[level][1], "rotationCost": rotation[level][0]}
+            text = " ".join(f"{key} {float(f'{value:.2g}'):g};" for key, value in figures.items())
+            file.write(f"{level:11s} {{ {text} }}\n")
+
     results.add("cost of fine over that of draft", presets["fine"][0]/presets["draft"][0], "-", 60,
                 40, "20 at least")
 for scene in "array", "tether", "shear":

@@ -10,9 +10,14 @@ BOX = 20e-6
 
 def continuity(case):
     """Mean continuity error of every step, the last of each."""
+    steps, error = [], 0
     with open(f"{case}/log.rbcIbFoam") as file:
-        steps = re.split(r"^Time = ", file.read(), flags=re.M)[1:]
-    return [float(re.findall(r"^Continuity error.*mean (\S+),", step, re.M)[-1]) for step in steps]
+        for line in file:
+            if line.startswith("time step continuity errors"):
+                error = float(re.search(r"sum local = (\S+),", line).group(1))
+            if line.startswith("Step "):
+                steps.append(error)
+    return steps
 
 
 def clumps(case):

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "accuracyLevel.H"
 #include "clumpFields.H"
 #include "FlatOutput.H"
 #include "IOdictionary.H"
@@ -61,14 +62,7 @@ Foam::deformableCloud::deformableCloud
     // Numbers too large: as in readProperties
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
-    accuracy_(dict),
-    dict_
-    (
-        accuracy_.completed
-        (
-            withPresentNames(dict, {{"exchange", "couplingScheme"}})
-        )
-    ),
+    dict_(withPresentNames(dict, {{"exchange", "couplingScheme"}})),
     g_(Zero),
     effects_(dict_),
     ghosts_(mesh),
@@ -78,6 +72,8 @@ Foam::deformableCloud::deformableCloud
     walls_(mesh, types_, dict_),
     nClumps_(0)
 {
+    accuracyLevel::refuseOldEntry(dict_);
+
     // Other entries of the file are the user's own, to be referred to
     refuseMisspelt
     (
@@ -85,7 +81,7 @@ Foam::deformableCloud::deformableCloud
         {
             "types", "placement", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation",
-            "couplingScheme", "immersedBoundary", "accuracy"
+            "couplingScheme", "immersedBoundary", "accuracyLevel"
         }
     );
     effects_.decide(dict_, mesh);

@@ -116,7 +116,7 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
 
     volScalarField w
     (
-        IOobject(name_ + ":response", mesh_.time().timeName(), mesh_),
+        IOobject(name_ + "_response", mesh_.time().timeName(), mesh_),
         mesh_,
         dimensionedScalar(dimTime, Zero),
         patchTypes

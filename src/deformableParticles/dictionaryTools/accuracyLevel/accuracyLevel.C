@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "accuracyLevel.H"
+#include "messageStream.H"
+#include "wordList.H"
+
+void Foam::accuracyLevel::compare(const dictionary& file) const
+{
+    const word other(file.getOrDefault<word>("accuracyLevel", "none"));
+    if (other != (chosen() ? name_ : word("none")))
+    {
+        IOWarningInFunction(file)
+            << "The accuracy level of this file is " << other
+            << ", that of constant/clumpProperties is "
+            << (chosen() ? name_ : word("none"))
+            << ": one of them lacks the #include of a level" << endl;
+    }
+}
+
+
+Foam::accuracyLevel::accuracyLevel
+(
+    const dictionary& clumpProperties,
+    const dictionary& fvSolution,
+    const dictionary& controlDict
+)
+:
+    dict_(clumpProperties.subOrEmptyDict("accuracyLevel"))
+{
+    if (!dict_.empty())
+    {
+        dict_.readEntry("name", name_);
+        measured_ = dict_.subDict("measured").subDict(name_);
+    }
+    compare(fvSolution);
+    compare(controlDict);
+}
+
+
+void Foam::accuracyLevel::refuseOldEntry(const dictionary& clumpProperties)
+{
+    if (!clumpProperties.found("accuracy"))
+    {
+        return;
+    }
+    const wordList levels({"draft", "standard", "fine"});
+    const word old(clumpProperties.get<word>("accuracy"));
+    const string path
+    (
+        "#include \"$WM_PROJECT_USER_DIR/etc/accuracy/"
+      + (levels.found(old) ? old : word("standard"))
+    );
+    FatalIOErrorInFunction(clumpProperties)
+        << "The entry accuracy is no longer read. Write these lines before the"
+        << " case's own entries instead:" << nl
+        << "    constant/clumpProperties  " << path.c_str()
+        << "/clumpProperties\"" << nl
+        << "    system/fvSolution         " << path.c_str()
+        << "/fvSolution\"" << nl
+        << "    system/controlDict        " << path.c_str()
+        << "/controlDict\"" << nl
+        << "Valid levels: draft, standard, fine" << exit(FatalIOError);
+}
+
+
+void Foam::accuracyLevel::printMeasured(Ostream& os) const
+{
+    if (!chosen())
+    {
+        return;
+    }
+    const auto number = [&](const char* key)
+    {
+        return measured_.get<scalar>(key);
+    };
+    os  << nl << "Accuracy " << name_
+        << ", measured with the mesh and the clumps that it is meant for:" << nl
+        << "    tethered cell: error of the drag " << number("dragError")
+        << " %, " << number("dragCost") << " s per simulated second" << nl
+        << "    cell in shear flow: error of the rotation "
+        << number("rotationError") << " %, " << number("rotationCost")
+        << " s per simulated second" << nl;
+}
+
+
+void Foam::accuracyLevel::print
+(
+    Ostream& os,
+    const label spheres,
+    const scalar cellsPerDiameter
+) const
+{
+    if (!chosen())
+    {
+        return;
+    }
+    const label n = dict_.get<label>("spheresPerClump");
+    const scalar cells = dict_.get<scalar>("cellsPerDiameter");
+
+    printMeasured(os);
+    os  << "    The case has " << spheres << " spheres per clump (meant for "
+        << n << ") and " << cellsPerDiameter
+        << " mesh cells per sphere diameter (meant for " << cells << ')' << nl;
+
+    if (spheres < n)
+    {
+        WarningInFunction
+            << "The clumps are coarser than accuracy " << name_
+            << " is meant for: " << spheres << " spheres per clump instead of "
+            << n << endl;
+    }
+    if (cellsPerDiameter < 0.9*cells)
+    {
+        WarningInFunction
+            << "The mesh is coarser than accuracy " << name_ << " is meant for: "
+            << cellsPerDiameter << " mesh cells per sphere diameter instead of "
+            << cells << endl;
+    }
+    os  << endl;
+}

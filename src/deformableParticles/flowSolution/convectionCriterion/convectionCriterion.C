@@ -1,0 +1,49 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "convectionCriterion.H"
+#include "StringStream.H"
+
+Foam::convectionCriterion::convectionCriterion
+(
+    const deformableCloud& cloud,
+    const bool linear
+)
+:
+    effects_(cloud.effects()),
+    timing_(cloud.timing()),
+    linear_(linear),
+    diameter_(0)
+{
+    for (const clumpType& type : cloud.types())
+    {
+        diameter_ = max(diameter_, 2*type.reach());
+    }
+}
+
+
+void Foam::convectionCriterion::decide
+(
+    const volVectorField& U,
+    const volScalarField& nu
+) const
+{
+    const timeBreakdown::timer t(timing_, "checks");
+    if (linear_)
+    {
+        effects_.decide("convection", false, "a resistance is linear");
+    }
+    else if (effects_.automatic("convection"))
+    {
+        const scalar Re =
+            gMax(mag(U.primitiveField()))*diameter_/gMin(nu.primitiveField());
+        const bool convects = Re > 0.05;
+
+        OStringStream reason;
+        reason.precision(2);
+        reason << "Re " << Re << (convects ? " above" : " below") << " 0.05";
+        effects_.decide("convection", convects, reason.str());
+    }
+}

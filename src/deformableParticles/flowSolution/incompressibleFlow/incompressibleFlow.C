@@ -1,0 +1,194 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "incompressibleFlow.H"
+#include "checkedEntries.H"
+#include "findRefCell.H"
+#include "fvcFlux.H"
+#include "fvmLaplacian.H"
+#include "initialPressure.H"
+
+void Foam::incompressibleFlow::check(const dictionary& dict)
+{
+    checkEntries
+    (
+        dict,
+        {
+            "consistent", "momentumPredictor", "nOuterCorrectors",
+            "extrapolatePressure",
+            "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
+            "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
+            "frozenFlow", "ddtCorr", "turbOnFinalIterOnly",
+            "finalOnLastPimpleIterOnly", "residualControl",
+            "outerCorrectorResidualControl", "correctPhi",
+            "checkMeshCourantNo", "moveMeshOuterCorrectors"
+        }
+    );
+    for (const word key : {"nOuterCorrectors", "nCorrectors"})
+    {
+        if (dict.found(key))
+        {
+            getNumber(dict, key, 1, 1000);
+        }
+    }
+    if (dict.found("nNonOrthogonalCorrectors"))
+    {
+        getNumber(dict, "nNonOrthogonalCorrectors", 0, 1000);
+    }
+}
+
+
+void Foam::incompressibleFlow::readFields(const fvMesh& mesh)
+{
+    const auto file = [&](const char* name)
+    {
+        Info<< "Reading field " << name << endl;
+        return IOobject
+        (
+            name, mesh.time().timeName(), mesh,
+            IOobject::MUST_READ, IOobject::AUTO_WRITE
+        );
+    };
+    p_.reset(new volScalarField(file("p"), mesh));
+    U_.reset(new volVectorField(file("U"), mesh));
+
+    if
+    (
+        U_->dimensions() != dimVelocity || p_->dimensions() != sqr(dimVelocity)
+    )
+    {
+        FatalErrorInFunction
+            << "dimensions of " << U_->objectPath() << ' ' << U_->dimensions()
+            << " and " << p_->objectPath() << ' ' << p_->dimensions()
+            << ", they must be " << dimVelocity << " and " << sqr(dimVelocity)
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::incompressibleFlow::startFields(const fvMesh& mesh)
+{
+    Info<< "Reading/calculating face flux field phi" << nl << endl;
+    const IOobject file
+    (
+        "phi", mesh.time().timeName(), mesh,
+        IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+    );
+    phi_.reset(new surfaceScalarField(file, fvc::flux(*U_)));
+
+    // Boundary conditions may look up phi
+    const bool goesOn =
+        IOobject(file).typeHeaderOk<surfaceScalarField>(true);
+    if (Pstream::parRun() || !goesOn)
+    {
+        U_->correctBoundaryConditions();
+        p_->correctBoundaryConditions();
+    }
+    if (!goesOn)
+    {
+        *phi_ = fvc::flux(*U_);
+        setInitialPressure(*p_);
+    }
+}
+
+
+void Foam::incompressibleFlow::readModels()
+{
+    transport_.reset(new singlePhaseTransportModel(*U_, *phi_));
+
+    const scalar least = gMin(nu().primitiveField());
+    if (!(least > 0))
+    {
+        FatalIOErrorInFunction(*transport_)
+            << "The kinematic viscosity is " << least << " m2/s: the forcing"
+            << " needs one above zero" << exit(FatalIOError);
+    }
+    turbulence_ =
+        incompressible::turbulenceModel::New(*U_, *phi_, *transport_);
+
+    options_ = &fv::options::New(U_->mesh());
+    if (!options_->optionList::size())
+    {
+        Info<< "No finite volume options present" << endl;
+    }
+}
+
+
+Foam::incompressibleFlow::incompressibleFlow
+(
+    fvMesh& mesh,
+    const bool present,
+    const bool solved
+)
+:
+    solved_(present && solved),
+    options_(nullptr),
+    pRefCell_(0),
+    pRefValue_(0)
+{
+    if (!present)
+    {
+        return;
+    }
+    control_.reset(new pimpleControl(mesh, "PISO"));
+    check(getDict(mesh.solutionDict(), "PISO"));
+
+    readFields(mesh);
+    startFields(mesh);
+    setRefCell(*p_, control_->dict(), pRefCell_, pRefValue_);
+    mesh.setFluxRequired(p_->name());
+    readModels();
+
+    if (solved_)
+    {
+        extrapolation_.reset
+        (
+            new pressureExtrapolation
+            (
+                *p_, control_->dict(), control_->nCorrPIMPLE()
+            )
+        );
+    }
+}
+
+
+const Foam::volScalarField& Foam::incompressibleFlow::nu() const
+{
+    return
+        U_.valid()
+      ? U_->mesh().lookupObject<volScalarField>("nu")
+      : volScalarField::null();
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
+{
+    const bool uniform =
+        turbulence_->type() == "Stokes"
+     && transport_->get<word>("transportModel") == "Newtonian";
+
+    return
+        uniform
+      ? -fvm::laplacian(turbulence_->nuEff(), *U_)
+      : turbulence_->divDevReff(*U_);
+}
+
+
+void Foam::incompressibleFlow::meshChanged()
+{
+    *phi_ = fvc::flux(*U_);
+    phi_->oldTime() = fvc::flux(U_->oldTime());
+}
+
+
+void Foam::incompressibleFlow::reset()
+{
+    U_->primitiveFieldRef() = Zero;
+    U_->correctBoundaryConditions();
+    U_->oldTime() == *U_;
+    *p_ = dimensionedScalar(p_->dimensions(), Zero);
+    *phi_ = fvc::flux(*U_);
+    phi_->oldTime() == *phi_;
+}

@@ -1,0 +1,369 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "completeTime.H"
+#include "cutShort.H"
+#include "IOdictionary.H"
+#include "OFstream.H"
+#include "PstreamReduceOps.H"
+#include "HashSet.H"
+#include <csignal>
+
+namespace
+{
+
+using namespace Foam;
+
+fileName mark(const fileName& directory)
+{
+    return directory/"uniform"/"incomplete";
+}
+
+//- The name of a directory while it is made or removed: not that of a time
+fileName aside(const fileName& directory)
+{
+    return fileName(directory + ".incomplete");
+}
+
+//- Where time directories of this processor are; collated files are common
+fileNameList folders(const fileName& own, const fileName& common)
+{
+    fileNameList result(1, own);
+    if (Pstream::parRun())
+    {
+        for (const fileName& name : readDir(common, fileName::DIRECTORY))
+        {
+            if (name.compare(0, 10, "processors") == 0)
+            {
+                result.append(common/name);
+            }
+        }
+    }
+    return result;
+}
+
+//- The times, of all processors, that have the mark or are aside
+wordList incomplete(const fileNameList& here)
+{
+    List<wordList> found(Pstream::nProcs());
+    for (const fileName& folder : here)
+    {
+        for (const fileName& name : readDir(folder, fileName::DIRECTORY))
+        {
+            const bool isAside = name.hasExt("incomplete");
+            const fileName time(isAside ? name.lessExt() : name);
+            scalar value;
+            if (readScalar(time, value) && (isAside || isFile(mark(folder/name))))
+            {
+                found[Pstream::myProcNo()].append(word(time));
+            }
+        }
+    }
+    Pstream::gatherList(found);
+    Pstream::scatterList(found);
+
+    wordHashSet names;
+    for (const wordList& part : found)
+    {
+        names.insert(part);
+    }
+    return names.sortedToc();
+}
+
+//- From now on it is not found as a time
+void setAside(const fileName& directory)
+{
+    if (isDir(directory) && isDir(aside(directory)))
+    {
+        rmDir(aside(directory), true);
+    }
+    if (!mv(directory, aside(directory)) && isDir(directory))
+    {
+        FatalErrorInFunction
+            << "cannot remove " << directory << exit(FatalError);
+    }
+}
+
+//- Before Time is constructed, which looks for the latest
+const argList& setAside(const argList& args)
+{
+    const fileNameList here(folders(args.path(), args.globalPath()));
+    for (const word& name : incomplete(here))
+    {
+        for (const fileName& folder : here)
+        {
+            setAside(folder/name);
+        }
+    }
+    return args;
+}
+
+//- Do what writes, and return what went wrong
+template<class Action>
+string attempt(const Action& action)
+{
+    string error;
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+    try
+    {
+        action();
+    }
+    catch (const IOerror& e)
+    {
+        error = e.ioFileName();
+    }
+    catch (const Foam::error& e)
+    {
+        error = e.message();
+    }
+    FatalError.throwExceptions(false);
+    FatalIOError.throwExceptions(false);
+    return error;
+}
+
+}
+
+
+void Foam::completeTime::refuse(const string& error) const
+{
+    if (error.empty())
+    {
+        return;
+    }
+    FatalErrorInFunction
+        << "Cannot write time " << timeName() << ": " << error.c_str() << nl
+        << "    The last complete time directory is " << last_ << nl
+        << "    Make room, or the case writable; the next start goes on from"
+        << " there" << exit(FatalError);
+}
+
+
+void Foam::completeTime::markDirectory() const
+{
+    const IOobject file("incomplete", timeName(), "uniform", *this);
+    marked_ = fileHandler().objectPath(file, word::null).path().path();
+
+    // Of processors that share it (collated) the first one makes it
+    fileName shared(marked_);
+    Pstream::scatter(shared);
+    const bool mine = Pstream::master() || marked_ != shared;
+
+    // A new one gets its name when the mark is in it
+    const bool fresh = !isDir(marked_);
+    const fileName made(fresh ? aside(marked_) : marked_);
+
+    refuse(!mine ? string() : attempt([&]()
+    {
+        mkDir(mark(made).path());
+        OFstream os(mark(made));
+        os  << "Files are missing here: the directory is being written, or the"
+            << " run that wrote it was ended. rbcIbFoam removes it at the next"
+            << " start.";
+        IOobject::writeEndDivider(os).flush();
+
+        if (!os.good() || (fresh && !mv(made, marked_)))
+        {
+            FatalIOErrorInFunction(os) << "no room" << exit(FatalIOError);
+        }
+    }));
+    returnReduce(true, andOp<bool>());
+}
+
+
+void Foam::completeTime::purge() const
+{
+    if (written_.empty() || written_.last() != timeName())
+    {
+        written_.append(timeName());
+    }
+    while (keep_ && written_.size() > keep_)
+    {
+        // Not before the new one is complete on all
+        returnReduce(true, andOp<bool>());
+        for (const fileName& folder : folders(path(), globalPath()))
+        {
+            setAside(folder/written_.first());
+            rmDir(aside(folder/written_.first()), true);
+        }
+        written_.remove(0);
+    }
+}
+
+
+void Foam::completeTime::takePurge()
+{
+    keep_ = purgeWrite_;
+    purgeWrite_ = 0;
+}
+
+
+void Foam::completeTime::readDict()
+{
+    Time::readDict();
+    takePurge();
+}
+
+
+Foam::completeTime::completeTime(const argList& args)
+:
+    Time(Time::controlDictName, setAside(args)),
+    last_(timeName()),
+    keep_(0),
+    writes_(true)
+{
+    takePurge();
+
+    // A file above the shell's limit (ulimit -f) fails, and does not kill
+    std::signal(SIGXFSZ, SIG_IGN);
+
+    const fileNameList here(folders(path(), globalPath()));
+    const wordList names(incomplete(here));
+    for (const word& name : names)
+    {
+        scalar value = 0;
+        readScalar(name, value);
+        if (mag(value - this->value()) < 0.01*deltaTValue())
+        {
+            const instantList all(times());
+            FatalIOErrorInFunction(controlDict())
+                << "startTime is " << name << ", but that time directory is"
+                << " incomplete: the run that wrote it was ended." << nl
+                << "    The last complete one is "
+                << (all.empty() ? word("none") : all.last().name())
+                << "; startFrom latestTime goes on from there"
+                << exit(FatalIOError);
+        }
+    }
+    for (const word& name : names)
+    {
+        for (const fileName& folder : here)
+        {
+            rmDir(aside(folder/name), true);
+        }
+        Info<< "Time directory " << name << " was incomplete, the run that"
+            << " wrote it was ended: removed, going on from " << last_ << nl
+            << endl;
+    }
+
+    const fileName uniform(timePath()/"uniform");
+    if (isFile(uniform/"time"))
+    {
+        // OpenFOAM takes from these files what it finds
+        const fileName file(cutShort::first(uniform));
+        if (!file.empty())
+        {
+            FatalErrorInFunction
+                << "file " << file << " is cut short" << exit(FatalError);
+        }
+    }
+    else if (isFile(timePath()/"phi"))
+    {
+        WarningInFunction
+            << "no file " << uniform/"time" << ": fields and clumps go on from "
+            << timePath() << ", but steps are counted anew" << endl;
+    }
+    need("uniform/time");
+
+    // The time to the last bit: the name of its directory has fewer digits
+    const IOdictionary state
+    (
+        IOobject
+        (
+            "time", timeName(), "uniform", *this,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    scalar value = 0;
+    if (state.readIfPresent("value", value) && timeName(value) == timeName())
+    {
+        setTime(value, timeIndex());
+    }
+}
+
+
+void Foam::completeTime::need(const word& file, const word& beside) const
+{
+    const fileName start(timePath());
+    bool written =
+        isFile(start/"uniform"/"time")
+     && (beside.empty() || isFile(start/beside));
+    reduce(written, orOp<bool>());
+    const bool found = isFile(start/file);
+    if (written && !(found && cutShort::whole(start/file)))
+    {
+        FatalErrorInFunction
+            << "file " << start/file << (found ? " is cut short" : " is missing")
+            << nl << "    The run that wrote " << start << " wrote it, too. To"
+            << " start without, remove it and " << start/"uniform"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::completeTime::finish() const
+{
+    if (!marked_.empty())
+    {
+        const double begun = highResLastModified(mark(marked_));
+        const fileName file(cutShort::first(marked_, begun));
+        if (!file.empty())
+        {
+            refuse(file + " is cut short");
+        }
+        returnReduce(true, andOp<bool>());
+        rm(mark(marked_));
+        marked_.clear();
+        last_ = timeName();
+        purge();
+    }
+}
+
+
+bool Foam::completeTime::run() const
+{
+    const bool more = Time::run();
+    finish();
+    return more;
+}
+
+
+Foam::Time& Foam::completeTime::operator++()
+{
+    Time::operator++();
+    writeTime_ = writeTime_ && writes_;
+    if (writeTime_)
+    {
+        // Some write before the fields do, fvOptions for example
+        markDirectory();
+    }
+    return *this;
+}
+
+
+bool Foam::completeTime::write(const bool valid) const
+{
+    if (!writeTime())
+    {
+        return false;
+    }
+    if (marked_.empty())
+    {
+        markDirectory();
+    }
+
+    bool good = false;
+    refuse(attempt([&]()
+    {
+        good = Time::write(valid);
+        fileHandler().flush();
+    }));
+
+    if (!good)
+    {
+        refuse("a file in " + marked_);
+    }
+    return true;
+}

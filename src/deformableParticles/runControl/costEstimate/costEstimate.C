@@ -1,0 +1,128 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "costEstimate.H"
+#include "memInfo.H"
+#include "spokenTime.H"
+#include "StringStream.H"
+#include <ctime>
+
+namespace
+{
+
+using namespace Foam;
+
+//- Three digits
+string rounded(const scalar value)
+{
+    OStringStream os;
+    os.precision(3);
+    os << value;
+    return os.str();
+}
+
+
+void printLine(const char* what, const scalar seconds, const char* gain)
+{
+    Info<< "    " << what << spokenTime(seconds).c_str() << gain << nl;
+}
+
+}
+
+
+void Foam::costEstimate::printOthers
+(
+    const label n,
+    const scalar mesh,
+    const scalar clumps
+) const
+{
+    const scalar step = mesh + clumps;
+
+    Info<< "    other settings                    would take" << nl;
+    printLine("half the time step                ", 2*n*step,
+        ", half the error of the step");
+    printLine("twice the time step               ", 0.5*n*step,
+        ", twice the error of the step");
+    if (nOuterCorrectors_)
+    {
+        const scalar finer = Foam::pow(2.0, 3.7);
+        printLine("half the cell width               ", n*(finer*mesh + clumps),
+            ", a quarter of the error of the mesh");
+        printLine("twice the cell width              ", n*(mesh/finer + clumps),
+            ", four times the error of the mesh");
+        printLine("one outer corrector more          ",
+            n*(mesh*(1 + 1.0/nOuterCorrectors_) + clumps),
+            ", coupling and pressure closer in the step");
+        printLine("fluid frozen                      ", n*clumps,
+            ", the flow as it is at the start");
+    }
+    printLine("twice the spheres per clump       ", n*(mesh + 2*clumps),
+        ", a quarter of the error of the shape");
+}
+
+
+Foam::costEstimate::costEstimate
+(
+    completeTime& runTime,
+    const deformableCloud& cloud,
+    const bool wanted,
+    const label nOuterCorrectors
+)
+:
+    runTime_(runTime),
+    cloud_(cloud),
+    wanted_(wanted),
+    span_(runTime.endTime().value() - runTime.value()),
+    setUp_(scalar(std::clock())/CLOCKS_PER_SEC),
+    nOuterCorrectors_(nOuterCorrectors)
+{
+    if (wanted)
+    {
+        runTime.functionObjects().off();
+        runTime.writeNothing();
+    }
+}
+
+
+bool Foam::costEstimate::done() const
+{
+    return returnReduce
+    (
+        steps_.size() >= 12 && clock_.elapsedTime() > 3, andOp<bool>()
+    );
+}
+
+
+void Foam::costEstimate::print
+(
+    const label nCells,
+    const accuracyLevel& accuracy
+) const
+{
+    const label half = steps_.size()/2;
+    const scalar step =
+        average(SubList<scalar>(steps_, steps_.size() - half, half));
+    const timeBreakdown& timing = cloud_.timing();
+    const scalar total = clock_.elapsedTime();
+    const scalar clumps = min(timing.seconds("clumps")/total, scalar(1))*step;
+    const label n = round(span_/runTime_.deltaTValue());
+    const label peak = returnReduce
+    (
+        label(memInfo().update().peak()), sumOp<label>()
+    );
+
+    Info<< nl << "Estimate from " << steps_.size() << " steps" << nl
+        << "    " << nCells << " mesh cells, " << cloud_.nClumps() << " clumps, "
+        << Pstream::nProcs() << " processors, " << peak/1024 << " MB" << nl
+        << "    " << n << " steps of " << rounded(step).c_str() << " s, start "
+        << rounded(setUp_).c_str() << " s: "
+        << rounded(n*step + setUp_).c_str() << " s ("
+        << spokenTime(n*step + setUp_).c_str() << ")" << nl;
+    timing.print(Info, total);
+    printOthers(n, step - clumps, clumps);
+    accuracy.printMeasured(Info);
+    Info<< nl << "Nothing was written" << nl << endl;
+}

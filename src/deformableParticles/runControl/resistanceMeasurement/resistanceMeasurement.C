@@ -1,0 +1,120 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "resistanceMeasurement.H"
+#include "incompressibleFlow.H"
+#include "OFstream.H"
+
+void Foam::resistanceMeasurement::addOptions()
+{
+    argList::addOption
+    (
+        "resistance",
+        "clump",
+        "Measure the hydrodynamic resistance of the clump of this number"
+    );
+    argList::addOption
+    (
+        "steps", "number", "With -resistance: steps from rest (20)"
+    );
+    argList::addOption
+    (
+        "deltaT", "time", "With -resistance: time step [s] (of the case)"
+    );
+    argList::addBoolOption
+    (
+        "rotation", "With -resistance: the spheres' angular velocities, too"
+    );
+}
+
+
+Foam::resistanceMeasurement::resistanceMeasurement
+(
+    completeTime& runTime,
+    deformableCloud& cloud,
+    incompressibleFlow& flow,
+    const argList& args
+)
+:
+    runTime_(runTime),
+    cloud_(cloud),
+    flow_(flow),
+    steps_(args.getOrDefault<label>("steps", 20)),
+    done_(0)
+{
+    if (!args.found("resistance"))
+    {
+        return;
+    }
+    if (!cloud.coupled())
+    {
+        FatalErrorInFunction
+            << "-resistance: the case has no fluid that feels the clumps"
+            << exit(FatalError);
+    }
+    if (steps_ < 1)
+    {
+        FatalErrorInFunction
+            << "-steps is " << steps_ << ", it must be 1 or above"
+            << exit(FatalError);
+    }
+    matrix_.reset
+    (
+        new resistanceMatrix
+        (
+            cloud, args.get<label>("resistance"), args.found("rotation")
+        )
+    );
+
+    runTime.functionObjects().off();
+    runTime.writeNothing();
+    runTime.setDeltaT
+    (
+        args.getOrDefault<scalar>("deltaT", runTime.deltaTValue()), false
+    );
+    runTime.setEndTime
+    (
+        runTime.value() + (matrix_->size() + 1)*steps_*runTime.deltaTValue()
+    );
+    Info<< "Clump " << args.get<label>("resistance") << ": "
+        << matrix_->size() << " columns, " << steps_ << " steps of "
+        << runTime.deltaTValue() << " s" << nl << endl;
+}
+
+
+void Foam::resistanceMeasurement::beginStep()
+{
+    if (wanted() && done_ % steps_ == 0)
+    {
+        matrix_->setVelocity(column());
+        flow_.reset();
+    }
+}
+
+
+void Foam::resistanceMeasurement::endStep()
+{
+    ++done_;
+    if (done_ % steps_)
+    {
+        return;
+    }
+    const volScalarField& nu = flow_.nu();
+    cloud_.gatherForces(flow_.U(), flow_.p(), nu);
+
+    // The column that these steps were
+    const label ended = column() - 1;
+    matrix_->store(ended);
+
+    if (ended == matrix_->size() - 1)
+    {
+        matrix_->print(Info, cloud_.fluidDensity()*gMax(nu.primitiveField()));
+        if (Pstream::master())
+        {
+            OFstream file(runTime_.globalPath()/"clumpResistance.csv");
+            matrix_->write(file);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "runMonitor.H"
+
+void Foam::runMonitor::addOptions()
+{
+    argList::addBoolOption
+    (
+        "estimate",
+        "Run a few steps, print what the case will cost, write nothing"
+    );
+}
+
+
+Foam::runMonitor::runMonitor
+(
+    completeTime& runTime,
+    const deformableCloud& cloud,
+    const argList& args,
+    const label nOuterCorrectors
+)
+:
+    runTime_(runTime),
+    cloud_(cloud),
+    effects_(cloud.effects()),
+    timing_(cloud.timing()),
+    accuracy_
+    (
+        cloud.properties(),
+        refCast<const fvMesh>(cloud.pMesh()).solutionDict(),
+        runTime.controlDict()
+    ),
+    report_(runTime, cloud),
+    watchdog_(runTime, cloud),
+    estimate_(runTime, cloud, args.found("estimate"), nOuterCorrectors)
+{}
+
+
+void Foam::runMonitor::start() const
+{
+    effects_.print(Info);
+    if (cloud_.coupled())
+    {
+        accuracy_.print(Info, cloud_.mostSpheres(), cloud_.cellsPerDiameter());
+    }
+    Info<< "Starting time loop" << nl << endl;
+}
+
+
+bool Foam::runMonitor::run() const
+{
+    const timeBreakdown::timer t(timing_, "write");
+    return !(estimate_.wanted() && estimate_.done()) && runTime_.run();
+}
+
+
+void Foam::runMonitor::check()
+{
+    const timeBreakdown::timer t(timing_, "checks");
+    watchdog_.check();
+}
+
+
+void Foam::runMonitor::check
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const surfaceScalarField& phi
+)
+{
+    const timeBreakdown::timer t(timing_, "checks");
+    watchdog_.check(report_.continuityError(), U, p, phi);
+}
+
+
+void Foam::runMonitor::write() const
+{
+    const timeBreakdown::timer t(timing_, "write");
+    runTime_.write();
+}
+
+
+void Foam::runMonitor::endStep()
+{
+    report_.endStep();
+    estimate_.add();
+}
+
+
+void Foam::runMonitor::end() const
+{
+    if (estimate_.wanted())
+    {
+        estimate_.print
+        (
+            cloud_.pMesh().globalData().nTotalCells(), accuracy_
+        );
+    }
+    else
+    {
+        report_.end();
+    }
+}

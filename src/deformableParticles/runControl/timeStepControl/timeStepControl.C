@@ -1,0 +1,125 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "timeStepControl.H"
+#include "checkedEntries.H"
+#include "fvcSurfaceIntegrate.H"
+#include "pimpleControl.H"
+#include "surfaceFields.H"
+#include "volFields.H"
+
+void Foam::timeStepControl::read()
+{
+    const dictionary& dict = runTime_.controlDict();
+
+    getPositive(dict, "deltaT");
+    adjusts_ = dict.getOrDefault("adjustTimeStep", false);
+    maxCo_ = getPositiveOrDefault(dict, "maxCo", 1);
+    maxDisplacement_ = getPositiveOrDefault(dict, "maxDisplacement", 0.25);
+    maxDeltaT_ = getPositiveOrDefault(dict, "maxDeltaT", GREAT);
+}
+
+
+void Foam::timeStepControl::checkPressure()
+{
+    if (viscousNumber_ > viscousLimit_ && !warned_)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "The viscous number nu dt/dx^2 = " << viscousNumber_
+            << " is above " << viscousLimit_ << ", where PISO diverges. In"
+            << " system/fvSolution, PISO, set consistent yes, or reduce"
+            << " the time step by " << viscousNumber_/viscousLimit_ << endl;
+    }
+}
+
+
+Foam::timeStepControl::timeStepControl(Time& runTime)
+:
+    runTime_(runTime),
+    CourantNumber_(0),
+    viscousNumber_(0),
+    viscousLimit_(GREAT),
+    warned_(false)
+{
+    read();
+}
+
+
+Foam::scalar Foam::timeStepControl::viscousLimit
+(
+    const bool consistent,
+    const label nCorrectors
+)
+{
+    return consistent ? GREAT : nCorrectors < 4 ? 12 : 37;
+}
+
+
+void Foam::timeStepControl::measure
+(
+    const surfaceScalarField& phi,
+    const volScalarField& nu,
+    const pimpleControl& control
+)
+{
+    const scalar dt = runTime_.deltaTValue();
+    const scalarField& V = phi.mesh().V();
+    const scalarField flux(fvc::surfaceSum(mag(phi))().primitiveField());
+
+    measure
+    (
+        0.5*dt*gMax(flux/V),
+        dt*gMax(nu.primitiveField())/sqr(Foam::cbrt(gMin(V))),
+        viscousLimit(control.consistent(), control.nCorrPISO())
+    );
+    Info<< "Courant Number mean: " << 0.5*dt*gSum(flux)/gSum(V)
+        << " max: " << CourantNumber_ << nl
+        << "Viscous Number max: " << viscousNumber_ << endl;
+}
+
+
+void Foam::timeStepControl::measure
+(
+    const scalar CourantNumber,
+    const scalar viscousNumber,
+    const scalar viscousLimit
+)
+{
+    CourantNumber_ = CourantNumber;
+    viscousNumber_ = viscousNumber;
+    viscousLimit_ = viscousLimit;
+    checkPressure();
+}
+
+
+void Foam::timeStepControl::adjust
+(
+    const scalar displacementRate,
+    const scalar shortening
+)
+{
+    read();
+    if (adjusts_)
+    {
+        const scalar dt = runTime_.deltaTValue();
+
+        scalar used = dt*displacementRate/maxDisplacement_;
+        used = max(used, CourantNumber_/maxCo_);
+        used = max(used, viscousNumber_/viscousLimit_);
+        used = max(used, shortening);
+        used = max(used, SMALL);
+
+        runTime_.setDeltaT
+        (
+            min
+            (
+                dt*min(min(1/used, 1 + 0.1/used), scalar(1.2)),
+                maxDeltaT_
+            )
+        );
+    }
+    Info<< "deltaT = " << runTime_.deltaTValue() << endl;
+}

@@ -1,0 +1,280 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "watchdog.H"
+#include "checkedEntries.H"
+#include "flowDriving.H"
+#include "fvcDiv.H"
+#include "StringStream.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Largest distance from the first sphere
+scalar extent(const pointField& x)
+{
+    scalar result = 0;
+    for (const point& p : x)
+    {
+        result = max(result, mag(p - x[0]));
+    }
+    return result;
+}
+
+}
+
+
+void Foam::watchdog::halve(const bool halves)
+{
+    halves_ = halves;
+    state_.set("halveStep", halves_);
+}
+
+
+void Foam::watchdog::stop(const string& what, const char* remedy)
+{
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = what;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    string said;
+    for (const string& s : all)
+    {
+        said += s;
+    }
+    if (said.empty())
+    {
+        return;
+    }
+
+    runTime_.writeNow();
+    runTime_.finish();
+    FatalErrorInFunction
+        << "The run loses its stability at time " << runTime_.timeName()
+        << ":" << nl << said.c_str() << remedy << nl
+        << "The state is written to " << runTime_.timeName() << "."
+        << " Limits: controlDict, watchdog." << exit(FatalError);
+}
+
+
+Foam::string Foam::watchdog::place
+(
+    const scalarField& values,
+    const string& said,
+    const volVectorField& U,
+    const volScalarField& p
+)
+{
+    scalar most = -1;
+    label cell = -1;
+    forAll(values, i)
+    {
+        // Or not a number
+        if (!(values[i] <= most))
+        {
+            most = values[i];
+            cell = i;
+        }
+    }
+    scalarList all(Pstream::nProcs(), scalar(-1));
+    all[Pstream::myProcNo()] = most;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    label owner = 0;
+    forAll(all, i)
+    {
+        if (!(all[i] <= all[owner]))
+        {
+            owner = i;
+        }
+    }
+    if (owner != Pstream::myProcNo() || cell < 0)
+    {
+        return string();
+    }
+    OStringStream os;
+    os  << said.c_str() << " at " << U.mesh().C()[cell]
+        << flowDriving::patches(cell, U, p).c_str() << nl;
+    return os.str();
+}
+
+
+Foam::scalar Foam::watchdog::roundingSpeed(const fvMesh& mesh) const
+{
+    return 1e-3*Foam::cbrt(gMin(mesh.V()))/runTime_.deltaTValue();
+}
+
+
+Foam::scalar Foam::watchdog::driving
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const surfaceScalarField& phi
+) const
+{
+    return max
+    (
+        max(cloud_.maxSpeed(), flowDriving::speed(U, p, phi)),
+        roundingSpeed(U.mesh())
+    );
+}
+
+
+void Foam::watchdog::checkContinuity
+(
+    const scalar error,
+    const volVectorField& U,
+    const volScalarField& p,
+    const surfaceScalarField& phi
+)
+{
+    halve
+    (
+        halves_
+     || returnReduce(error, maxOp<scalar>()) > 0.5*maxContinuity_
+    );
+    if (!(error < maxContinuity_))
+    {
+        volScalarField local(fvc::div(phi));
+        if (cloud_.coupled())
+        {
+            local -= cloud_.dilation();
+        }
+        OStringStream said;
+        said<< "    mean continuity error " << error << ", largest";
+        stop
+        (
+            place(mag(local.primitiveField()), said.str(), U, p),
+            "Set PISO, consistent yes, solve p to a smaller relTol, or"
+            " reduce deltaT."
+        );
+    }
+}
+
+
+void Foam::watchdog::checkGrowth
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const surfaceScalarField& phi
+)
+{
+    const scalarField speeds(mag(U.primitiveField()));
+    const scalar speed = gMax(speeds);
+    reversal_.check(U, p, phi, speed > roundingSpeed(U.mesh()));
+
+    if (!growth_.valid())
+    {
+        growth_.reset(new flowGrowth(runTime_.startTime().value(), speed));
+    }
+    const scalar growth =
+        growth_->add(runTime_.value(), speed, driving(U, p, phi));
+
+    if (!(growth < maxGrowth_))
+    {
+        OStringStream said;
+        said<< "    the largest velocity has grown to " << speed << " m/s, "
+            << growth << " times what the boundary conditions, the clumps"
+            << " and the flow before account for," << nl << "   ";
+        stop
+        (
+            place(speeds, said.str(), U, p),
+            "Check the boundary conditions of U and p (with p fixed, U is"
+            " zeroGradient, inletOutlet" "\n"
+            "or pressureInletOutletVelocity), set PISO, consistent yes, or"
+            " reduce deltaT." "\n"
+            "Where a force in fvOptions starts the flow, raise maxGrowth."
+        );
+    }
+}
+
+
+Foam::watchdog::watchdog
+(
+    completeTime& runTime,
+    const deformableCloud& cloud
+)
+:
+    runTime_(runTime),
+    cloud_(cloud),
+    halves_(false),
+    state_
+    (
+        IOobject
+        (
+            "watchdog", runTime.timeName(), "uniform", runTime,
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        )
+    )
+{
+    dictionary dict(runTime.controlDict().subOrEmptyDict("watchdog"));
+    if (dict.found("maxWay"))
+    {
+        IOWarningInFunction(dict)
+            << "The entry maxWay is now called maxDisplacement" << endl;
+        dict.changeKeyword(keyType("maxWay"), keyType("maxDisplacement"));
+    }
+    checkEntries
+    (
+        dict, {"maxDisplacement", "maxExtent", "maxContinuity", "maxGrowth"}
+    );
+    maxDisplacement_ = getPositiveOrDefault(dict, "maxDisplacement", 2);
+    maxExtent_ = getPositiveOrDefault(dict, "maxExtent", 5);
+    maxContinuity_ = getPositiveOrDefault(dict, "maxContinuity", 0.1);
+    maxGrowth_ = getPositiveOrDefault(dict, "maxGrowth", 30);
+    halves_ = state_.getOrDefault("halveStep", false);
+}
+
+
+void Foam::watchdog::check()
+{
+    halve(cloud_.needsShorterStep());
+
+    OStringStream said;
+    for (const clumpParcel& p : cloud_)
+    {
+        const clumpType& type = cloud_.type(p);
+        const clumpState& s = p.state();
+        const scalar displacement =
+            runTime_.deltaTValue()*max(mag(s.u)/type.radii());
+        const scalar size =
+            (extent(s.x) + max(type.radii()))
+           /(extent(type.centres()) + max(type.radii()));
+
+        if (!(displacement < maxDisplacement_))
+        {
+            said<< "    clump " << p.origId() << " at " << p.centre(type)
+                << ": the displacement of a sphere in a step is "
+                << displacement << " radii" << nl;
+        }
+        if (!(size < maxExtent_))
+        {
+            said<< "    clump " << p.origId() << " at " << p.centre(type)
+                << ": " << size << " times as long as at rest" << nl;
+        }
+    }
+    stop
+    (
+        said.str(),
+        "Reduce deltaT (or set adjustTimeStep yes), raise the coupling"
+        " coefficient or nOuterCorrectors."
+    );
+}
+
+
+void Foam::watchdog::check
+(
+    const scalar continuity,
+    const volVectorField& U,
+    const volScalarField& p,
+    const surfaceScalarField& phi
+)
+{
+    checkContinuity(continuity, U, p, phi);
+    checkGrowth(U, p, phi);
+}

@@ -64,13 +64,13 @@ for ranks in "24":
 
 # Momentum over the outer iterations: identities hold in every step, the rest goes to zero
 # Explained in the README
-known = {("closed", "exchange"): 1.35646e-05, ("open", "exchange"): 1.49828e-05}
+known = {("closed", "coupling"): 1.35646e-05, ("open", "coupling"): 1.49828e-05}
 terms = read("balance.csv")
 for r in terms:
     name = f"{r['domain']}, {r['ranks']:g} ranks, {r['passes']:g} outer iterations"
     print(f"{name}: third law {r['thirdLaw']:.0e}, clumps {r['clumps']:.0e}, fluid "
           f"{r['fluid']:.0e}, "
-          f"not received {r['exchange']:.0e}, total {r['total']:.0e}")
+          f"not received {r['coupling']:.0e}, total {r['total']:.0e}")
     for column in "thirdLaw", "clumps":
         results.add(f"{name}: {column}", r[column], "", 0, "5e-16", "an identity of every step")
 most = max(r["passes"] for r in terms)
@@ -78,7 +78,7 @@ for r in terms:
     if r["passes"] == most and r["ranks"] == 1:
         first = next(q for q in terms if q["domain"] == r["domain"] and q["passes"] == 1)
         if most == 16:
-            for column, limit in ("fluid", "1e-5"), ("exchange", "1e-5"):
+            for column, limit in ("fluid", "1e-5"), ("coupling", "1e-5"):
                 results.add(f"{r['domain']}: {column} after {most:g} outer iterations", r[column],
                             "", 0, limit,
                             "zero when the step is iterated to convergence",

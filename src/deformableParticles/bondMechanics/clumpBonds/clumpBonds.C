@@ -5,31 +5,6 @@
 
 #include "clumpBonds.H"
 
-namespace
-{
-
-using namespace Foam;
-
-//- The selected bond model. linearElastic summed up the increments of the law of
-//  elastic, with the same result to the last digit, and is read as elastic.
-autoPtr<bondModel> selectBondModel(const dictionary& dict)
-{
-    if (dict.get<word>("type") != "linearElastic")
-    {
-        return selectModel<bondModel>(dict);
-    }
-
-    IOWarningInFunction(dict)
-        << "The bond model 'linearElastic' has been replaced by 'elastic', which "
-        << "gives the same results; please change the entry" << endl;
-    dictionary present(dict);
-    present.set("type", word("elastic"));
-    return selectModel<bondModel>(present);
-}
-
-}
-
-
 Foam::clumpBonds::clumpBonds(const clumpType& type, const dictionary& dict)
 :
     type_(type),
@@ -46,7 +21,7 @@ Foam::clumpBonds::clumpBonds(const clumpType& type, const dictionary& dict)
 
 void Foam::clumpBonds::makeBonds(const dictionary& dict)
 {
-    law_ = selectBondModel(getDict(dict, "bondModel"));
+    law_ = selectModel<bondModel>(getDict(dict, "bondModel"));
     const autoPtr<dampingModel> damping
     (
         selectModel<dampingModel>(getDict(dict, "dampingModel"))

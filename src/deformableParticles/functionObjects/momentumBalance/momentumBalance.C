@@ -41,7 +41,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
         (
             const char* term :
             {
-                "clumps rate", "fluid", "interior", "exchange", "applied",
+                "clumps rate", "fluid", "interior", "coupling", "applied",
                 "fluid rate", "forcing", "patches", "sources"
             }
         )
@@ -49,7 +49,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
             file() << '\t' << term << " x y z";
         }
         file()
-            << "\trelative: thirdLaw\tclumps\tfluid\texchange\ttotal" << endl;
+            << "\trelative: thirdLaw\tclumps\tfluid\tcoupling\ttotal" << endl;
     }
 }
 
@@ -180,7 +180,7 @@ bool Foam::functionObjects::momentumBalance::write()
     (
         vector* term :
         {
-            &clumps.rate, &clumps.fluid, &clumps.interior, &clumps.exchange,
+            &clumps.rate, &clumps.fluid, &clumps.interior, &clumps.coupling,
             &clumps.applied
         }
     )
@@ -202,7 +202,7 @@ bool Foam::functionObjects::momentumBalance::write()
 
     const vector ofClumps
     (
-        clumps.rate - clumps.fluid - clumps.interior - clumps.exchange
+        clumps.rate - clumps.fluid - clumps.interior - clumps.coupling
       - clumps.applied
     );
     const vector ofFluid(rate - forcing - patches - source);
@@ -215,7 +215,7 @@ bool Foam::functionObjects::momentumBalance::write()
         (
             const vector& F :
             {
-                clumps.rate, clumps.fluid, clumps.interior, clumps.exchange,
+                clumps.rate, clumps.fluid, clumps.interior, clumps.coupling,
                 clumps.applied, rate, forcing, patches, source
             }
         )
@@ -226,8 +226,8 @@ bool Foam::functionObjects::momentumBalance::write()
         (
             const vector& F :
             {
-                clumps.fluid + forcing, ofClumps, ofFluid, clumps.exchange,
-                ofClumps + ofFluid + clumps.fluid + forcing + clumps.exchange
+                clumps.fluid + forcing, ofClumps, ofFluid, clumps.coupling,
+                ofClumps + ofFluid + clumps.fluid + forcing + clumps.coupling
             }
         )
         {

@@ -52,13 +52,14 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
         return;
     }
 
-    runTime_.writeNow();
-    runTime_.finish();
+    runTime_.writeAside("unstable");
     FatalErrorInFunction
-        << "The run loses its stability at time " << runTime_.timeName()
+        << "The run has become unstable at time " << runTime_.timeName()
         << ":" << nl << said.c_str() << remedy << nl
-        << "The state is written to " << runTime_.timeName() << "."
-        << " Limits: controlDict, watchdog." << exit(FatalError);
+        << "The state is written to " << runTime_.timeName() << ".unstable."
+        << " The next run goes on from the last time before it;" << nl
+        << "rename that folder to " << runTime_.timeName()
+        << " to look at it. Limits: controlDict, watchdog." << exit(FatalError);
 }
 
 

@@ -63,7 +63,7 @@ void checkPlace(const Cloud<clumpParcel>& c, const label index, const particle& 
     {
         FatalErrorInFunction
             << c.fieldIOobject("coordinates", IOobject::NO_READ).objectPath()
-            << ": clump " << index << " is in no cell of the mesh"
+            << ": clump " << index << " lies outside the mesh"
             << exit(FatalError);
     }
 }
@@ -77,8 +77,8 @@ void checkNumber
     if (number != c.size())
     {
         FatalErrorInFunction
-            << file.objectPath() << ": " << number << " entries for "
-            << c.size() << " clumps" << exit(FatalError);
+            << file.objectPath() << ": the file has " << number
+            << " entries, but there are " << c.size() << " clumps" << exit(FatalError);
     }
 }
 

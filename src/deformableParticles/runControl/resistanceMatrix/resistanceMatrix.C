@@ -31,7 +31,7 @@ Foam::resistanceMatrix::resistanceMatrix
     if (typeId_ < 0)
     {
         FatalErrorInFunction
-            << "No clump " << clump << exit(FatalError);
+            << "There is no clump " << clump << '.' << exit(FatalError);
     }
     x_.setSize(type().size(), point::min);
     Pstream::listCombineGather(x_, maxEqOp<point>());

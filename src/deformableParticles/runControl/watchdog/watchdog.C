@@ -55,10 +55,10 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
     runTime_.writeNow();
     runTime_.finish();
     FatalErrorInFunction
-        << "The run loses its stability at time " << runTime_.timeName()
+        << "The run has become unstable at time " << runTime_.timeName()
         << ":" << nl << said.c_str() << remedy << nl
-        << "The state is written to " << runTime_.timeName() << "."
-        << " Limits: controlDict, watchdog." << exit(FatalError);
+        << "The state has been written to " << runTime_.timeName()
+        << ". The limits are in controlDict, watchdog." << exit(FatalError);
 }
 
 
@@ -146,12 +146,12 @@ void Foam::watchdog::checkContinuity
             local -= cloud_.dilation();
         }
         OStringStream said;
-        said<< "    mean continuity error " << error << ", largest";
+        said<< "    mean continuity error " << error << "; the largest is";
         stop
         (
             place(mag(local.primitiveField()), said.str(), U, p),
-            "Set PISO, consistent yes, solve p to a smaller relTol, or"
-            " reduce deltaT."
+            "Set 'consistent yes' in PISO, reduce relTol of p, or reduce"
+            " deltaT."
         );
     }
 }
@@ -180,15 +180,15 @@ void Foam::watchdog::checkGrowth
         OStringStream said;
         said<< "    the largest velocity has grown to " << speed << " m/s, "
             << growth << " times what the boundary conditions, the clumps"
-            << " and the flow before account for," << nl << "   ";
+            << " and the earlier flow account for," << nl << "   ";
         stop
         (
             place(speeds, said.str(), U, p),
-            "Check the boundary conditions of U and p (with p fixed, U is"
-            " zeroGradient, inletOutlet" "\n"
-            "or pressureInletOutletVelocity), set PISO, consistent yes, or"
-            " reduce deltaT." "\n"
-            "Where a force in fvOptions starts the flow, raise maxGrowth."
+            "Check the boundary conditions of U and p (where p is fixed, U must"
+            " be zeroGradient," "\n"
+            "inletOutlet or pressureInletOutletVelocity), set 'consistent yes'"
+            " in PISO, or reduce deltaT." "\n"
+            "Where a force in fvOptions starts the flow, increase maxGrowth."
         );
     }
 }
@@ -249,8 +249,8 @@ void Foam::watchdog::check()
         if (!(displacement < maxDisplacement_))
         {
             said<< "    clump " << p.origId() << " at " << p.centre(type)
-                << ": the displacement of a sphere in a step is "
-                << displacement << " radii" << nl;
+                << ": a sphere is displaced by " << displacement
+                << " radii in one step" << nl;
         }
         if (!(size < maxExtent_))
         {
@@ -261,8 +261,8 @@ void Foam::watchdog::check()
     stop
     (
         said.str(),
-        "Reduce deltaT (or set adjustTimeStep yes), raise the coupling"
-        " coefficient or nOuterCorrectors."
+        "Reduce deltaT, set adjustTimeStep yes, increase the coefficient of"
+        " the couplingScheme, or increase nOuterCorrectors."
     );
 }
 

@@ -30,13 +30,13 @@ int main(int argc, char* argv[])
 
     // Under a name that no clumps are found by; the old ones go only when the
     // new ones have their places
-    deformableCloud cells(mesh, "newClumps");
-    cells.rename("clumps");
-    rmDir(runTime.timePath()/cloud::prefix/cells.name());
-    cells.write();
+    deformableCloud cloud(mesh, "newClumps");
+    cloud.rename("clumps");
+    rmDir(runTime.timePath()/cloud::prefix/cloud.name());
+    cloud.write();
 
-    Info<< "Wrote " << cells.nClumps() << " clumps to "
-        << runTime.timeName()/cloud::prefix/cells.name() << nl
+    Info<< "Wrote " << cloud.nClumps() << " clumps to "
+        << runTime.timeName()/cloud::prefix/cloud.name() << nl
         << "End" << nl << endl;
 
     return 0;

@@ -177,7 +177,7 @@ void Foam::ghostExchange::findShifts()
 
 void Foam::ghostExchange::findNeighbours(const scalar reach)
 {
-    // A margin, so that a clump that stretches does not call for this again
+    // Widened, so that this need not be repeated when a clump stretches
     reach_ = 1.5*reach;
     neighbours_.clear();
     ++nSearches_;

@@ -38,8 +38,8 @@ for run in runs:
                     "recovers its shape")
 
 groups = [("damping ratio beta",
-           [r for r in runs if r["name"].startswith("beta") or r["name"] == "explicit exchange"],
-           lambda r: r["name"].replace("beta ", "").replace(" exchange", "\nexchange")),
+           [r for r in runs if r["name"].startswith("beta") or r["name"] == "explicit coupling"],
+           lambda r: r["name"].replace("beta ", "").replace(" coupling", "\ncoupling")),
           ("D/dx", [r for r in runs if r["name"].startswith("D/dx")], lambda r: f"{r['D_dx']:g}")]
 figure, panels = plt.subplots(1, 2, figsize=(11, 4))
 for axes, (label, rows, key) in zip(panels, groups):

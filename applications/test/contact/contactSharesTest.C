@@ -208,8 +208,8 @@ TEST_CASE("contact shares: the force changes continuously", "[contact][serial]")
     const label nSteps = 4000;
     for (label k = 0; k <= nSteps; ++k)
     {
-        const vector way(3*r*(2*scalar(k)/nSteps - 1), 0.1*r, 0);
-        const vector f(press(xA + way, xB).force);
+        const vector displacement(3*r*(2*scalar(k)/nSteps - 1), 0.1*r, 0);
+        const vector f(press(xA + displacement, xB).force);
         jump = k ? max(jump, mag(f - before)) : 0;
         largest = max(largest, mag(f));
         before = f;

@@ -253,14 +253,14 @@ TEST_CASE("walls: over a convex edge the force turns steadily", "[walls][serial]
     const scalar d = 0.1*r;
     const auto path = [&](const scalar s)
     {
-        const scalar way = (2*s - 1)*(2*r + 0.5*a*(r - d)) + 0.5*a*(r - d);
-        const scalar turned = way/(r - d);
+        const scalar displacement = (2*s - 1)*(2*r + 0.5*a*(r - d)) + 0.5*a*(r - d);
+        const scalar turned = displacement/(r - d);
         return
-            turned < 0 ? point(way, 0, r - d)
+            turned < 0 ? point(displacement, 0, r - d)
           : turned > a
           ? point
             (
-                (way - a*(r - d))*down
+                (displacement - a*(r - d))*down
               + (r - d)*vector(Foam::sin(a), 0, Foam::cos(a))
             )
           : point((r - d)*vector(Foam::sin(turned), 0, Foam::cos(turned)));

@@ -246,7 +246,11 @@ TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
 }
 
 
-TEST_CASE("boundary: flux of the sharp forcing to a wall on the way to a neighbour", "[boundary][serial]")
+TEST_CASE
+(
+    "boundary: flux of the sharp forcing to a wall between two centres",
+    "[boundary][serial]"
+)
 {
     const scalar part = GENERATE(0.03, 0.4, 0.97);
     const scalar radius = 3e-6;

@@ -46,15 +46,15 @@ TEST_CASE("accuracyLevel: what the case writes overrides it", "[accuracy][serial
         caseFile
         (
             "draft", "clumpProperties",
-            "immersedBoundary { forcing { type cutCell; } }"
-            "#remove exchange\n exchange { type explicit; }"
+            "immersedBoundary { forcing { type continuous; } }"
+            "#remove couplingScheme\n couplingScheme { type explicitCoupling; }"
         )
     );
     const dictionary& ib = clumps.subDict("immersedBoundary");
-    CHECK(ib.subDict("forcing").get<word>("type") == "cutCell");
+    CHECK(ib.subDict("forcing").get<word>("type") == "continuous");
     CHECK(ib.subDict("solidFraction").found("type"));
-    CHECK(clumps.subDict("exchange").get<word>("type") == "explicit");
-    CHECK(!clumps.subDict("exchange").found("margin"));
+    CHECK(clumps.subDict("couplingScheme").get<word>("type") == "explicitCoupling");
+    CHECK(!clumps.subDict("couplingScheme").found("coefficient"));
 
     const dictionary solution
     (

@@ -45,7 +45,7 @@ void Foam::clumpBonds::makeBonds(const dictionary& dict)
         {
             FatalIOErrorInFunction(dict)
                 << "Bond " << b << " joins spheres " << i << " and " << j
-                << " at the same place" << exit(FatalIOError);
+                << ", whose centres coincide." << exit(FatalIOError);
         }
 
         const bondCoefficients k(law_->stiffness(length, 0.5*(r[i] + r[j])));
@@ -79,7 +79,7 @@ void Foam::clumpBonds::selectConservation(const dictionary& dict)
         if (dict.found("conservationModels"))
         {
             FatalIOErrorInFunction(dict)
-                << "Give either conservationModel or conservationModels"
+                << "Give 'conservationModel' or 'conservationModels', but not both."
                 << exit(FatalIOError);
         }
         add(getDict(dict, "conservationModel"));

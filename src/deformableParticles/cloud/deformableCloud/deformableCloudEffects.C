@@ -30,8 +30,9 @@ void Foam::deformableCloud::decideGravity()
     (
         "gravity",
         on,
-        mag(g_) == 0 ? "no gravity in constant/g"
-      : on ? "densities differ" : "equal densities"
+        mag(g_) == 0 ? "constant/g has no gravity"
+        : on ? "the densities of clumps and fluid differ"
+        : "the densities of clumps and fluid are equal"
     );
 }
 

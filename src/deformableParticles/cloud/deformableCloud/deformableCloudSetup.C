@@ -156,7 +156,8 @@ const Foam::deformableCloud& Foam::deformableCloud::find
     if (!cloud)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'cloud' is " << name << ", the clouds are "
+            << "Entry 'cloud' is " << name << ", but there is no cloud of this"
+            << " name. Valid names: "
             << flatOutput(mesh.sortedNames<deformableCloud>())
             << exit(FatalIOError);
     }
@@ -184,7 +185,7 @@ void Foam::deformableCloud::readTypes()
     if (names.empty())
     {
         FatalIOErrorInFunction(dict_)
-            << "Entry 'types' must hold one clump type at least"
+            << "Entry 'types' must contain at least one clump type."
             << exit(FatalIOError);
     }
     types_.setSize(names.size());
@@ -263,7 +264,7 @@ void Foam::deformableCloud::reportFractions() const
         placement::fractions(types_, numbers, gSum(mesh_.V()))
     );
     Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
-        << ", volume fraction of the spheres' unions "
+        << ", volume fraction of the clumps "
         << Foam::name(fractions.second()).c_str() << endl;
 }
 
@@ -338,18 +339,18 @@ void Foam::deformableCloud::place()
         if (proci == labelMax)
         {
             FatalIOErrorInFunction(dict)
-                << "Entry position: clump " << k << " of type "
+                << "Entry 'position': clump " << k << " of type "
                 << types_[p.typeId].name() << " at " << p.position
-                << " lies outside the mesh" << exit(FatalIOError);
+                << " lies outside the mesh." << exit(FatalIOError);
         }
         forAll(p.state.x, i)
         {
             if (!inMesh(p.position + p.state.x[i]))
             {
                 FatalIOErrorInFunction(dict)
-                    << "Entry position: sphere " << i << " of clump " << k
+                    << "Entry 'position': sphere " << i << " of clump " << k
                     << " of type " << types_[p.typeId].name() << " at "
-                    << p.position + p.state.x[i] << " lies outside the mesh"
+                    << p.position + p.state.x[i] << " lies outside the mesh."
                     << exit(FatalIOError);
             }
         }

@@ -62,8 +62,8 @@ void Foam::placement::checkNumber
     if (!(number >= 1 && number <= 1e7))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry '" << entry << "' asks for " << number
-            << " clumps, it must be 1 to 10 million" << exit(FatalIOError);
+            << "Entry '" << entry << "' requests " << number
+            << " clumps; the number must be between 1 and 10 million." << exit(FatalIOError);
     }
 }
 
@@ -91,7 +91,7 @@ void Foam::placement::readList(const dictionary& dict)
             if (mag(axis) < VSMALL)
             {
                 FatalIOErrorInFunction(d)
-                    << "Entry axis must not be zero" << exit(FatalIOError);
+                    << "Entry 'axis' must not be zero." << exit(FatalIOError);
             }
             turn = rotation(degToRad(getFinite<scalar>(d, "angle"))*axis/mag(axis));
         }
@@ -126,8 +126,8 @@ void Foam::placement::makeLattice(const dictionary& dict)
     if (cmptMin(number) < 1)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'number' is " << number << ", every component must be "
-            << "above 0" << exit(FatalIOError);
+            << "Entry 'number' is " << number << "; every component must be"
+            << " above 0." << exit(FatalIOError);
     }
     checkNumber
     (
@@ -175,7 +175,7 @@ void Foam::placement::packRandomly(const dictionary& dict)
     if (cmptMin(box.span()) <= 0)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'max' is " << box.max() << ", it must be above min, "
+            << "Entry 'max' is " << box.max() << "; it must be above min, "
             << box.min() << exit(FatalIOError);
     }
     const labelVector periodic(dict.get<labelVector>("periodic"));
@@ -284,8 +284,9 @@ void Foam::placement::packRandomly(const dictionary& dict)
         if (!found)
         {
             FatalIOErrorInFunction(dict)
-                << "Entry haematocrit " << haematocrit << ": " << clumps_.size()
-                << " of " << wanted << " clumps found room" << exit(FatalIOError);
+                << "Haematocrit " << haematocrit << " cannot be reached: only "
+                << clumps_.size() << " of " << wanted
+                << " clumps could be placed without overlap." << exit(FatalIOError);
         }
     }
 }

@@ -84,7 +84,7 @@ void Foam::sceneEffects::decide
     (
         "loads",
         loads && getDict(clumpProperties, "loads").size(),
-        loads ? "loads in clumpProperties" : "no loads"
+        loads ? "clumpProperties has loads" : "there are no loads"
     );
 
     const dictionary& types = getDict(clumpProperties, "types");
@@ -111,22 +111,22 @@ void Foam::sceneEffects::decideFluid
             "fluid",
             found,
             found
-          ? "constant/transportProperties is there"
-          : "no constant/transportProperties"
+          ? "constant/transportProperties exists"
+ : "constant/transportProperties does not exist"
         );
     }
 
     const bool flows = active("fluid") && !frozen_;
-    const string still(active("fluid") ? "the flow is frozen" : "no fluid");
+    const string still(active("fluid") ? "the flow is frozen" : "there is no fluid");
     decide
     (
-        "feedback", flows, flows ? "the fluid flows around the clumps" : still
+        "feedback", flows, flows ? "the flow is solved" : still
     );
     if (!flows && active("feedback"))
     {
         FatalIOErrorInFunction(getDict(dict, "effects"))
             << "Entry 'effects': feedback is on, but " << still.c_str()
-            << exit(FatalIOError);
+            << '.' << exit(FatalIOError);
     }
     if (!flows)
     {
@@ -136,12 +136,12 @@ void Foam::sceneEffects::decideFluid
     (
         "refinement",
         flows && mesh.dynamic(),
-        mesh.dynamic() ? "dynamic mesh" : "static mesh"
+        mesh.dynamic() ? "the mesh is dynamic" : "the mesh is static"
     );
 
     if (!active("feedback"))
     {
-        decide("rotation", false, "the fluid does not feel the clumps");
+        decide("rotation", false, "the flow does not feel the clumps");
     }
     else if (automatic("rotation"))
     {

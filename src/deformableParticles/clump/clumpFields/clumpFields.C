@@ -63,7 +63,7 @@ void checkPlace(const Cloud<clumpParcel>& c, const label index, const particle& 
     {
         FatalErrorInFunction
             << c.fieldIOobject("coordinates", IOobject::NO_READ).objectPath()
-            << ": clump " << index << " is in no cell of the mesh"
+            << ": clump " << index << " lies outside the mesh"
             << exit(FatalError);
     }
 }
@@ -77,8 +77,8 @@ void checkNumber
     if (number != c.size())
     {
         FatalErrorInFunction
-            << file.objectPath() << ": " << number << " entries for "
-            << c.size() << " clumps" << exit(FatalError);
+            << file.objectPath() << ": the file has " << number
+            << " entries, but there are " << c.size() << " clumps" << exit(FatalError);
     }
 }
 
@@ -120,7 +120,7 @@ void readLists
             refuse
             (
                 c, name, p,
-                "has " + Foam::name(list.size()) + " values, its type "
+                "has " + Foam::name(list.size()) + " values; its type "
               + Foam::name(field.size())
             );
         }
@@ -128,7 +128,7 @@ void readLists
         {
             if (!physical(value))
             {
-                refuse(c, name, p, "has a value beyond every physical quantity");
+                refuse(c, name, p, "has a value outside the physical range");
             }
         }
         field = list;
@@ -200,7 +200,7 @@ void Foam::clumpFields::refuseRemains(const Cloud<clumpParcel>& c)
     if (returnReduce(isFile(written.objectPath()), orOp<bool>()))
     {
         FatalErrorInFunction
-            << written.path() << " holds clumps, but the file coordinates, their"
+            << written.path() << " contains clumps, but the file coordinates with their"
             << " positions, is missing or cannot be read" << exit(FatalError);
     }
 
@@ -213,7 +213,7 @@ void Foam::clumpFields::refuseRemains(const Cloud<clumpParcel>& c)
     {
         FatalErrorInFunction
             << "The run that wrote " << time.timePath()
-            << " had clumps, but " << written.path() << " holds none." << nl
+            << " had clumps, but " << written.path() << " contains none." << nl
             << "    To place them anew, remove " << uniform/cloud::prefix
             << exit(FatalError);
     }
@@ -253,7 +253,7 @@ void Foam::clumpFields::read
             refuse
             (
                 c, "typeId", p,
-                "has the type " + Foam::name(p.typeId_) + ", the types are 0 to "
+                "has the type " + Foam::name(p.typeId_) + "; the types are 0 to "
               + Foam::name(types.size() - 1)
             );
         }

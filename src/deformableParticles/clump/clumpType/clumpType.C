@@ -68,10 +68,9 @@ void Foam::clumpType::setMasses(const dictionary& dict)
         if (!(V > 0))
         {
             FatalIOErrorInFunction(dict)
-                << "Entry 'shape': the spheres have radii down to "
-                << min(radii_) << " m and lie up to " << max(mag(centres_))
-                << " m from the origin; their volume is too small to be told"
-                << " from zero" << exit(FatalIOError);
+                << "Entry 'shape': the spheres (radius " << min(radii_)
+                << " m) are too small for their distance from the origin ("
+                << max(mag(centres_)) << " m) to compute their volume." << exit(FatalIOError);
         }
     }
     else if (massModel == "fullSpheres")

@@ -60,10 +60,10 @@ void checkPatches(const polyBoundaryMesh& patches)
         {
             FatalErrorInFunction
                 << "Patch " << patches[patchi].name() << " is of type " << type
-                << (rotates[patchi] ? ", rotational" : "")
-                << ", of which clumps have no images." << nl
-                << "    Supported are cyclic (translational), wall, and patch;"
-                << " for a plane of symmetry mesh both sides of it"
+                << (rotates[patchi] ? " (rotational)" : "")
+                << ". Clumps cannot have images behind such a patch; supported"
+                << " types are wall, patch and translational cyclic." << nl
+                << "    For a plane of symmetry, mesh both sides of it."
                 << exit(FatalError);
         }
     }
@@ -177,7 +177,7 @@ void Foam::ghostExchange::findShifts()
 
 void Foam::ghostExchange::findNeighbours(const scalar reach)
 {
-    // A margin, so that a clump that stretches does not call for this again
+    // Widened, so that this need not be repeated when a clump stretches
     reach_ = 1.5*reach;
     neighbours_.clear();
     ++nSearches_;

@@ -190,11 +190,12 @@ void Foam::clumpContacts::refuseOverlaps
             )
             {
                 FatalIOErrorInFunction(placement)
-                    << "Entry position: sphere " << i << " of clump "
-                    << images[a].id.second() << " of type " << ta.name()
-                    << " and sphere " << j << " of clump "
-                    << images[b].id.second() << " of type " << tb.name()
-                    << " lie inside each other at " << images[a].x[i]
+                    << "Entry 'position': sphere " << i << " of clump "
+                    << images[a].id.second() << " (type " << ta.name()
+                    << ") contains the centre of sphere " << j << " of clump "
+                    << images[b].id.second() << " (type " << tb.name()
+                    << "), or the reverse, at " << images[a].x[i]
+                    << "; move the clumps apart."
                     << exit(FatalIOError);
             }
         }

@@ -97,13 +97,13 @@ Foam::string Foam::wallContacts::gap() const
 {
     if (gap_ > 98*radius_)
     {
-        return "none near";
+        return "no wall is near";
     }
 
-    // Two digits: the number is for people
+    // Two digits are enough for the log
     OStringStream os;
     os.precision(2);
-    os << "nearest " << 1e6*gap_ << " um";
+    os << "the nearest wall is " << 1e6*gap_ << " um away";
     return os.str();
 }
 

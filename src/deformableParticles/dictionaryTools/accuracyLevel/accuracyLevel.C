@@ -16,7 +16,7 @@ void Foam::accuracyLevel::compare(const dictionary& file) const
             << "The accuracy level of this file is " << other
             << ", that of constant/clumpProperties is "
             << (chosen() ? name_ : word("none"))
-            << ": one of them lacks the #include of a level" << endl;
+            << ". Include the same level in both files." << endl;
     }
 }
 
@@ -54,8 +54,8 @@ void Foam::accuracyLevel::refuseOldEntry(const dictionary& clumpProperties)
       + (levels.found(old) ? old : word("standard"))
     );
     FatalIOErrorInFunction(clumpProperties)
-        << "The entry accuracy is no longer read. Write these lines before the"
-        << " case's own entries instead:" << nl
+        << "The entry 'accuracy' is no longer read. Write these lines before"
+        << " the entries of the case instead:" << nl
         << "    constant/clumpProperties  " << path.c_str()
         << "/clumpProperties\"" << nl
         << "    system/fvSolution         " << path.c_str()
@@ -108,16 +108,16 @@ void Foam::accuracyLevel::print
     if (spheres < n)
     {
         WarningInFunction
-            << "The clumps are coarser than accuracy " << name_
-            << " is meant for: " << spheres << " spheres per clump instead of "
+            << "The clumps are coarser than accuracy level " << name_
+            << " requires: " << spheres << " spheres per clump instead of "
             << n << endl;
     }
     if (cellsPerDiameter < 0.9*cells)
     {
         WarningInFunction
-            << "The mesh is coarser than accuracy " << name_ << " is meant for: "
-            << cellsPerDiameter << " mesh cells per sphere diameter instead of "
-            << cells << endl;
+            << "The mesh is coarser than accuracy level " << name_
+            << " requires: " << cellsPerDiameter
+            << " mesh cells per sphere diameter instead of " << cells << endl;
     }
     os  << endl;
 }

@@ -30,7 +30,7 @@ Type checked
     if (value < low || value > high)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' is " << value << ", it must be "
+            << "Entry '" << key << "' is " << value << "; it must be "
             << rule.c_str() << exit(FatalIOError);
     }
     return value;
@@ -110,7 +110,7 @@ void Foam::refuseMisspelt(const dictionary& dict, const wordList& known)
             {
                 FatalIOErrorInFunction(dict)
                     << "Unknown entry '" << key << "' in dictionary "
-                    << dict.name() << ", is it '" << meant << "'?" << nl
+                    << dict.name() << ". Did you mean '" << meant << "'?" << nl
                     << "Valid entries: " << flatOutput(known)
                     << exit(FatalIOError);
             }
@@ -141,7 +141,7 @@ void Foam::checkEntries
     if (unused.size())
     {
         IOWarningInFunction(dict)
-            << "Nothing reads " << flatOutput(unused) << nl
+            << "The following entries are not used: " << flatOutput(unused) << nl
             << "    Valid entries: " << flatOutput(valid) << endl;
     }
 }
@@ -184,8 +184,8 @@ const Foam::dictionary& Foam::getDict(const dictionary& dict, const word& key)
     if (dict.found(key) && !dict.isDict(key))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' must be a sub-dictionary, "
-            << key << " { ... }" << exit(FatalIOError);
+            << "Entry '" << key << "' must be a dictionary: " << key
+            << " { ... }" << exit(FatalIOError);
     }
     return dict.subDict(key);
 }
@@ -220,7 +220,7 @@ Foam::scalar Foam::getPositive
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' has the dimensions "
-            << value.dimensions() << ", they must be " << dimensions
+            << value.dimensions() << "; they must be " << dimensions
             << exit(FatalIOError);
     }
     return positive(dict, key, value.value());

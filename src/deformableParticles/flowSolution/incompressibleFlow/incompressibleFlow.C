@@ -60,9 +60,9 @@ void Foam::incompressibleFlow::readFields(const fvMesh& mesh)
     )
     {
         FatalErrorInFunction
-            << "dimensions of " << U_->objectPath() << ' ' << U_->dimensions()
+            << "The dimensions of " << U_->objectPath() << ' ' << U_->dimensions()
             << " and " << p_->objectPath() << ' ' << p_->dimensions()
-            << ", they must be " << dimVelocity << " and " << sqr(dimVelocity)
+            << "; they must be " << dimVelocity << " and " << sqr(dimVelocity)
             << exit(FatalError);
     }
 }
@@ -102,8 +102,8 @@ void Foam::incompressibleFlow::readModels()
     if (!(least > 0))
     {
         FatalIOErrorInFunction(*transport_)
-            << "The kinematic viscosity is " << least << " m2/s: the forcing"
-            << " needs one above zero" << exit(FatalIOError);
+            << "The kinematic viscosity is " << least << " m2/s; it must be above"
+            << " zero." << exit(FatalIOError);
     }
     turbulence_ =
         incompressible::turbulenceModel::New(*U_, *phi_, *transport_);

@@ -76,11 +76,11 @@ void Foam::coveredCells::find
             if (smallest < 0.999*dx)
             {
                 FatalErrorInFunction
-                    << "Clump type " << type.name() << ": the sphere radius "
-                    << smallest << " at " << image.x[0] << " is below the "
-                    << "cell width " << dx << " (D/dx = " << 2*smallest/dx
-                    << "): refine the mesh until D/dx is 2 at least, 4 for "
-                    << "accuracy" << exit(FatalError);
+                    << "Clump type " << type.name() << " has " << 2*smallest/dx
+                    << " mesh cells per sphere diameter (sphere radius " << smallest
+                    << " m, mesh cell " << dx << " m, at " << image.x[0]
+                    << "). At least 2 are required, and 4 are recommended: refine"
+                    << " the mesh." << exit(FatalError);
             }
             cells.append(celli);
             lambda.append(fraction);

@@ -290,6 +290,6 @@ void Foam::fluidCoupling::report
     reduce(largest, maxOp<scalar>());
 
     Info<< "Coupling coefficient raised for " << nRaised << " of " << nClumps
-        << " clumps, to " << largest << " times its value at most"
-        << (largest < maxFactor ? "" : ", the limit") << endl;
+        << " clumps, to at most " << largest << " times its value"
+        << (largest < maxFactor ? "" : ", which is the limit") << endl;
 }

@@ -65,8 +65,8 @@ bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
     if (mag(flow_ & gradient_) > 1e-6)
     {
         FatalIOErrorInFunction(dict)
-            << "flow " << flow_ << " and gradient " << gradient_
-            << " are not at right angles" << exit(FatalIOError);
+            << "Entries 'flow' " << flow_ << " and 'gradient' " << gradient_
+            << " are not at right angles." << exit(FatalIOError);
     }
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
 }

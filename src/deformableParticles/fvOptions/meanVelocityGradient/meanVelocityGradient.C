@@ -64,7 +64,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     {
         FatalIOErrorInFunction(coeffs_)
             << "Entry 'fields' is " << flatOutput(fieldNames_)
-            << ", it must name one of "
+            << "; it must be the name of one field of "
             << flatOutput(mesh.sortedNames<volVectorField>())
             << exit(FatalIOError);
     }
@@ -86,7 +86,7 @@ void Foam::fv::meanVelocityGradient::readMeanVelocity()
     if (mag(Ubar_) < VSMALL)
     {
         FatalIOErrorInFunction(coeffs_)
-            << "Entry 'Ubar' must not be zero" << exit(FatalIOError);
+            << "Entry 'Ubar' must not be zero." << exit(FatalIOError);
     }
     direction_ = Ubar_/mag(Ubar_);
 }

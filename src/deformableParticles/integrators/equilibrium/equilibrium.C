@@ -129,7 +129,7 @@ Foam::externalForces Foam::equilibrium::stretch
         {
             FatalErrorInFunction
                 << "Clump type " << type.name() << " cannot be stretched along "
-                << F << ", it has no extent in this direction"
+                << F << ", because it has no extent in this direction."
                 << exit(FatalError);
         }
         for (const label i : ends)

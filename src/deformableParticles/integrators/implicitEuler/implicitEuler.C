@@ -50,9 +50,10 @@ void Foam::integrators::implicitEuler::advance
     if (!newton.minimise(potential, s))
     {
         WarningInFunction
-            << "Clump of type " << type.name() << ": Newton's method stopped "
-            << "after " << newton.nIterations() << " iterations, last step "
-            << newton.lastStep() << " sphere radii" << endl;
+            << "Newton's method did not converge for a clump of type "
+            << type.name() << ": after " << newton.nIterations()
+            << " iterations the last step is " << newton.lastStep()
+            << " sphere radii." << endl;
     }
 
     forAll(s.x, i)

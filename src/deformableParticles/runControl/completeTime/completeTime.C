@@ -8,86 +8,17 @@
 #include "IOdictionary.H"
 #include "OFstream.H"
 #include "PstreamReduceOps.H"
-#include "HashSet.H"
+#include "timeDirectories.H"
 #include <csignal>
 
 namespace
 {
 
 using namespace Foam;
-
-fileName mark(const fileName& directory)
-{
-    return directory/"uniform"/"incomplete";
-}
-
-//- The name of a directory while it is made or removed: not that of a time
-fileName aside(const fileName& directory)
-{
-    return fileName(directory + ".incomplete");
-}
-
-//- Where time directories of this processor are; collated files are common
-fileNameList folders(const fileName& own, const fileName& common)
-{
-    fileNameList result(1, own);
-    if (Pstream::parRun())
-    {
-        for (const fileName& name : readDir(common, fileName::DIRECTORY))
-        {
-            if (name.compare(0, 10, "processors") == 0)
-            {
-                result.append(common/name);
-            }
-        }
-    }
-    return result;
-}
-
-//- The times, of all processors, that have the mark or are aside
-wordList incomplete(const fileNameList& here)
-{
-    List<wordList> found(Pstream::nProcs());
-    for (const fileName& folder : here)
-    {
-        for (const fileName& name : readDir(folder, fileName::DIRECTORY))
-        {
-            const bool isAside = name.hasExt("incomplete");
-            const fileName time(isAside ? name.lessExt() : name);
-            scalar value;
-            if (readScalar(time, value) && (isAside || isFile(mark(folder/name))))
-            {
-                found[Pstream::myProcNo()].append(word(time));
-            }
-        }
-    }
-    Pstream::gatherList(found);
-    Pstream::scatterList(found);
-
-    wordHashSet names;
-    for (const wordList& part : found)
-    {
-        names.insert(part);
-    }
-    return names.sortedToc();
-}
-
-//- From now on it is not found as a time
-void setAside(const fileName& directory)
-{
-    if (isDir(directory) && isDir(aside(directory)))
-    {
-        rmDir(aside(directory), true);
-    }
-    if (!mv(directory, aside(directory)) && isDir(directory))
-    {
-        FatalErrorInFunction
-            << "cannot remove " << directory << exit(FatalError);
-    }
-}
+using namespace timeDirectories;
 
 //- Before Time is constructed, which looks for the latest
-const argList& setAside(const argList& args)
+const argList& setIncompleteAside(const argList& args)
 {
     const fileNameList here(folders(args.path(), args.globalPath()));
     for (const word& name : incomplete(here))
@@ -135,9 +66,8 @@ void Foam::completeTime::refuse(const string& error) const
     }
     FatalErrorInFunction
         << "Cannot write time " << timeName() << ": " << error.c_str() << nl
-        << "    The last complete time directory is " << last_ << nl
-        << "    Make room, or the case writable; the next start goes on from"
-        << " there" << exit(FatalError);
+        << "    The last complete time is " << last_ << ". Free disk space or"
+        << " check the write permission, then start the run again." << exit(FatalError);
 }
 
 
@@ -159,14 +89,14 @@ void Foam::completeTime::markDirectory() const
     {
         mkDir(mark(made).path());
         OFstream os(mark(made));
-        os  << "Files are missing here: the directory is being written, or the"
-            << " run that wrote it was ended. rbcIbFoam removes it at the next"
-            << " start.";
+        os  << "This time directory is incomplete: it is being written, or the"
+        << " run was interrupted while writing it. rbcIbFoam removes it at"
+        << " the next start.";
         IOobject::writeEndDivider(os).flush();
 
         if (!os.good() || (fresh && !mv(made, marked_)))
         {
-            FatalIOErrorInFunction(os) << "no room" << exit(FatalIOError);
+            FatalIOErrorInFunction(os) << "the disk is full" << exit(FatalIOError);
         }
     }));
     returnReduce(true, andOp<bool>());
@@ -209,7 +139,7 @@ void Foam::completeTime::readDict()
 
 Foam::completeTime::completeTime(const argList& args)
 :
-    Time(Time::controlDictName, setAside(args)),
+    Time(Time::controlDictName, setIncompleteAside(args)),
     last_(timeName()),
     keep_(0),
     writes_(true)
@@ -229,12 +159,11 @@ Foam::completeTime::completeTime(const argList& args)
         {
             const instantList all(times());
             FatalIOErrorInFunction(controlDict())
-                << "startTime is " << name << ", but that time directory is"
-                << " incomplete: the run that wrote it was ended." << nl
-                << "    The last complete one is "
+                << "'startTime' is " << name << ", but this time directory is"
+                << " incomplete because the run was interrupted while writing"
+                << " it." << nl << "    The last complete time is "
                 << (all.empty() ? word("none") : all.last().name())
-                << "; startFrom latestTime goes on from there"
-                << exit(FatalIOError);
+                << "; with 'startFrom latestTime' the run continues from it." << exit(FatalIOError);
         }
     }
     for (const word& name : names)
@@ -243,8 +172,9 @@ Foam::completeTime::completeTime(const argList& args)
         {
             rmDir(aside(folder/name), true);
         }
-        Info<< "Time directory " << name << " was incomplete, the run that"
-            << " wrote it was ended: removed, going on from " << last_ << nl
+        Info<< "Time directory " << name << " was incomplete (the run was"
+<< " interrupted while writing it) and has been removed;"
+<< " continuing from " << last_ << nl
             << endl;
     }
 
@@ -256,14 +186,15 @@ Foam::completeTime::completeTime(const argList& args)
         if (!file.empty())
         {
             FatalErrorInFunction
-                << "file " << file << " is cut short" << exit(FatalError);
+                << "file " << file << " is truncated" << exit(FatalError);
         }
     }
     else if (isFile(timePath()/"phi"))
     {
         WarningInFunction
-            << "no file " << uniform/"time" << ": fields and clumps go on from "
-            << timePath() << ", but steps are counted anew" << endl;
+            << "There is no file " << uniform/"time" << ". Fields and clumps"
+            << " continue from " << timePath() << ", but the steps are"
+            << " counted from zero." << endl;
     }
     need("uniform/time");
 
@@ -295,10 +226,9 @@ void Foam::completeTime::need(const word& file, const word& beside) const
     if (written && !(found && cutShort::whole(start/file)))
     {
         FatalErrorInFunction
-            << "file " << start/file << (found ? " is cut short" : " is missing")
-            << nl << "    The run that wrote " << start << " wrote it, too. To"
-            << " start without, remove it and " << start/"uniform"
-            << exit(FatalError);
+            << "file " << start/file << (found ? " is truncated" : " is missing")
+ << nl << "    The run that wrote " << start << " wrote this file, too."
+ << " To start without it, remove it and " << start/"uniform" << exit(FatalError);
     }
 }
 
@@ -311,7 +241,7 @@ void Foam::completeTime::finish() const
         const fileName file(cutShort::first(marked_, begun));
         if (!file.empty())
         {
-            refuse(file + " is cut short");
+            refuse(file + " is truncated");
         }
         returnReduce(true, andOp<bool>());
         rm(mark(marked_));

@@ -41,7 +41,7 @@ void Foam::costEstimate::printOthers
 {
     const scalar step = mesh + clumps;
 
-    Info<< "    other settings                    would take" << nl;
+    Info<< "    With other settings the run would take" << nl;
     printLine("half the time step                ", 2*n*step,
         ", half the error of the step");
     printLine("twice the time step               ", 0.5*n*step,
@@ -49,15 +49,15 @@ void Foam::costEstimate::printOthers
     if (nOuterCorrectors_)
     {
         const scalar finer = Foam::pow(2.0, 3.7);
-        printLine("half the cell width               ", n*(finer*mesh + clumps),
+        printLine("half the mesh cell width          ", n*(finer*mesh + clumps),
             ", a quarter of the error of the mesh");
-        printLine("twice the cell width              ", n*(mesh/finer + clumps),
+        printLine("twice the mesh cell width         ", n*(mesh/finer + clumps),
             ", four times the error of the mesh");
         printLine("one outer corrector more          ",
             n*(mesh*(1 + 1.0/nOuterCorrectors_) + clumps),
-            ", coupling and pressure closer in the step");
+            ", a smaller error of coupling and pressure in a step");
         printLine("fluid frozen                      ", n*clumps,
-            ", the flow as it is at the start");
+            ", with the flow of the start time");
     }
     printLine("twice the spheres per clump       ", n*(mesh + 2*clumps),
         ", a quarter of the error of the shape");
@@ -117,7 +117,7 @@ void Foam::costEstimate::print
     Info<< nl << "Estimate from " << steps_.size() << " steps" << nl
         << "    " << nCells << " mesh cells, " << cloud_.nClumps() << " clumps, "
         << Pstream::nProcs() << " processors, " << peak/1024 << " MB" << nl
-        << "    " << n << " steps of " << rounded(step).c_str() << " s, start "
+        << "    " << n << " steps of " << rounded(step).c_str() << " s each, start "
         << rounded(setUp_).c_str() << " s: "
         << rounded(n*step + setUp_).c_str() << " s ("
         << spokenTime(n*step + setUp_).c_str() << ")" << nl;

@@ -31,7 +31,7 @@ Foam::resistanceMatrix::resistanceMatrix
     if (typeId_ < 0)
     {
         FatalErrorInFunction
-            << "No clump " << clump << exit(FatalError);
+            << "There is no clump " << clump << '.' << exit(FatalError);
     }
     x_.setSize(type().size(), point::min);
     Pstream::listCombineGather(x_, maxEqOp<point>());
@@ -155,8 +155,8 @@ void Foam::resistanceMatrix::print(Ostream& os, const scalar mu)
     }
     os  << nl << nl
         << "Motions without resistance: " << nFree << nl
-        << "Stable exchange: margin above " << 0.5*most << nl
-        << "Lag of the slowest of the others: margin x "
+        << "The coupling is stable with a coefficient above " << 0.5*most
+        << nl << "Lag of the slowest other motion: coefficient x "
         << 1/max(least, ROOTVSMALL) << " steps" << nl << nl
         << "Rigid-body resistance: drag along x, y, z [N s/m] and torque about "
         << "them [N m s]" << nl;

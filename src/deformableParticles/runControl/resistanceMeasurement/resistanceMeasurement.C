@@ -51,13 +51,13 @@ Foam::resistanceMeasurement::resistanceMeasurement
     if (!cloud.coupled())
     {
         FatalErrorInFunction
-            << "-resistance: the case has no fluid that feels the clumps"
+            << "Option -resistance: the case has no flow that feels the clumps."
             << exit(FatalError);
     }
     if (steps_ < 1)
     {
         FatalErrorInFunction
-            << "-steps is " << steps_ << ", it must be 1 or above"
+            << "Option -steps is " << steps_ << "; it must be 1 or above."
             << exit(FatalError);
     }
     matrix_.reset

@@ -29,9 +29,9 @@ void Foam::timeStepControl::checkPressure()
         warned_ = true;
         WarningInFunction
             << "The viscous number nu dt/dx^2 = " << viscousNumber_
-            << " is above " << viscousLimit_ << ", where PISO diverges. In"
-            << " system/fvSolution, PISO, set consistent yes, or reduce"
-            << " the time step by " << viscousNumber_/viscousLimit_ << endl;
+            << " is above " << viscousLimit_ << ", where PISO diverges. Set"
+            << " 'consistent yes' in system/fvSolution, PISO, or divide the"
+            << " time step by " << viscousNumber_/viscousLimit_ << '.' << endl;
     }
 }
 

@@ -56,10 +56,10 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
     FatalErrorInFunction
         << "The run has become unstable at time " << runTime_.timeName()
         << ":" << nl << said.c_str() << remedy << nl
-        << "The state is written to " << runTime_.timeName() << ".unstable."
-        << " The next run goes on from the last time before it;" << nl
-        << "rename that folder to " << runTime_.timeName()
-        << " to look at it. Limits: controlDict, watchdog." << exit(FatalError);
+        << "The state has been written to " << runTime_.timeName()
+        << ".unstable, from which no run starts." << nl << "Rename this folder to "
+        << runTime_.timeName() << " to look at it. The limits are in controlDict,"
+        << " watchdog." << exit(FatalError);
 }
 
 
@@ -147,12 +147,12 @@ void Foam::watchdog::checkContinuity
             local -= cloud_.dilation();
         }
         OStringStream said;
-        said<< "    mean continuity error " << error << ", largest";
+        said<< "    mean continuity error " << error << "; the largest is";
         stop
         (
             place(mag(local.primitiveField()), said.str(), U, p),
-            "Set PISO, consistent yes, solve p to a smaller relTol, or"
-            " reduce deltaT."
+            "Set 'consistent yes' in PISO, reduce relTol of p, or reduce"
+            " deltaT."
         );
     }
 }
@@ -181,15 +181,15 @@ void Foam::watchdog::checkGrowth
         OStringStream said;
         said<< "    the largest velocity has grown to " << speed << " m/s, "
             << growth << " times what the boundary conditions, the clumps"
-            << " and the flow before account for," << nl << "   ";
+            << " and the earlier flow account for," << nl << "   ";
         stop
         (
             place(speeds, said.str(), U, p),
-            "Check the boundary conditions of U and p (with p fixed, U is"
-            " zeroGradient, inletOutlet" "\n"
-            "or pressureInletOutletVelocity), set PISO, consistent yes, or"
-            " reduce deltaT." "\n"
-            "Where a force in fvOptions starts the flow, raise maxGrowth."
+            "Check the boundary conditions of U and p (where p is fixed, U must"
+            " be zeroGradient," "\n"
+            "inletOutlet or pressureInletOutletVelocity), set 'consistent yes'"
+            " in PISO, or reduce deltaT." "\n"
+            "Where a force in fvOptions starts the flow, increase maxGrowth."
         );
     }
 }
@@ -250,8 +250,8 @@ void Foam::watchdog::check()
         if (!(displacement < maxDisplacement_))
         {
             said<< "    clump " << p.origId() << " at " << p.centre(type)
-                << ": the displacement of a sphere in a step is "
-                << displacement << " radii" << nl;
+                << ": a sphere is displaced by " << displacement
+                << " radii in one step" << nl;
         }
         if (!(size < maxExtent_))
         {
@@ -262,8 +262,8 @@ void Foam::watchdog::check()
     stop
     (
         said.str(),
-        "Reduce deltaT (or set adjustTimeStep yes), raise the coupling"
-        " coefficient or nOuterCorrectors."
+        "Reduce deltaT, set adjustTimeStep yes, increase the coefficient of"
+        " the couplingScheme, or increase nOuterCorrectors."
     );
 }
 

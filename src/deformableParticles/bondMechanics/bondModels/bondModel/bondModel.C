@@ -38,8 +38,8 @@ Foam::bondModel::bondModel
     if (given_ && (dict.found("youngModulus") || dict.found("multipliers")))
     {
         FatalIOErrorInFunction(dict)
-            << "Give either rigidities or youngModulus, shearModulus and "
-            << "multipliers" << exit(FatalIOError);
+            << "Give either 'rigidities', or 'youngModulus', 'shearModulus'"
+            << " and 'multipliers', but not both." << exit(FatalIOError);
     }
 
     if (dict.found("breakage"))

@@ -33,8 +33,8 @@ Foam::conservationModels::enclosedArea::enclosedArea
     if (area0_ <= VSMALL)
     {
         FatalIOErrorInFunction(dict)
-            << "conservationModel enclosedArea: the sphere centres enclose "
-            << "no area" << exit(FatalIOError);
+            << "conservationModel enclosedArea: the sphere centres do not"
+            << " enclose an area." << exit(FatalIOError);
     }
 }
 

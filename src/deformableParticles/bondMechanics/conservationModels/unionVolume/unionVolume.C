@@ -39,6 +39,7 @@ Foam::conservationModels::unionVolume::unionVolume
                 FatalIOErrorInFunction(dict)
                     << "conservationModel unionVolume: the centre of sphere "
                     << i << " lies too deep inside sphere " << j
+                    << "; increase their distance."
                     << exit(FatalIOError);
             }
         }

@@ -24,7 +24,7 @@ Foam::dampingModels::kelvinVoigt::kelvinVoigt(const dictionary& dict)
         if (dict.found("timeConstant"))
         {
             FatalIOErrorInFunction(dict)
-                << "Give either timeConstant or timeConstants"
+                << "Give exactly one of 'timeConstant' and 'timeConstants'."
                 << exit(FatalIOError);
         }
         const dictionary& d = getDict(dict, "timeConstants");

@@ -24,7 +24,7 @@ void Foam::load::checkSpheres
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << entry << "' is " << spheres
-            << ", it must name spheres 0 to " << nSpheres - 1
-            << " of clump type " << clumpType_ << exit(FatalIOError);
+            << "; clump type " << clumpType_ << " has the spheres 0 to "
+            << nSpheres - 1 << '.' << exit(FatalIOError);
     }
 }

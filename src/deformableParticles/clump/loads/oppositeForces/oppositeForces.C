@@ -26,8 +26,8 @@ Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
     if (mag(direction_) < VSMALL || plus_.empty() || minus_.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "oppositeForces needs a direction that is not zero and at least "
-            << "one sphere in each of plus and minus" << exit(FatalIOError);
+            << "oppositeForces needs a 'direction' that is not zero and at"
+            << " least one sphere each in 'plus' and 'minus'." << exit(FatalIOError);
     }
     direction_ /= mag(direction_);
 }

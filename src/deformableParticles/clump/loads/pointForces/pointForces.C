@@ -31,9 +31,10 @@ Foam::loads::pointForces::pointForces(const dictionary& dict)
     )
     {
         FatalIOErrorInFunction(dict)
-            << "pointForces needs at least one sphere, and as many forces ("
-            << forces_.size() << ") and torques (" << torques_.size()
-            << ") as spheres (" << spheres_.size() << ')'
+            << "pointForces needs at least one sphere, and one force and one"
+            << " torque for every sphere; there are " << spheres_.size()
+            << " spheres, " << forces_.size() << " forces and "
+            << torques_.size() << " torques."
             << exit(FatalIOError);
     }
 }

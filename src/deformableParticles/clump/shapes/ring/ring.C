@@ -59,7 +59,7 @@ Foam::scalar Foam::clumpShapes::ring::radius
     if (dict.found("ringRadius"))
     {
         FatalIOErrorInFunction(dict)
-            << "Give either ringRadius or diameter" << exit(FatalIOError);
+            << "Give exactly one of 'ringRadius' and 'diameter'." << exit(FatalIOError);
     }
 
     return
@@ -122,13 +122,13 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
     if (disc)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'volume' is valid for a ring only; give sphereRadius"
+            << "Only a ring has the entry 'volume'; give 'sphereRadius'."
             << exit(FatalIOError);
     }
     if (dict.found("sphereRadius"))
     {
         FatalIOErrorInFunction(dict)
-            << "Give either sphereRadius or volume" << exit(FatalIOError);
+            << "Give exactly one of 'sphereRadius' and 'volume'." << exit(FatalIOError);
     }
 
     const scalar V = getPositive(dict, "volume");
@@ -141,9 +141,9 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
         if (high >= largest)
         {
             FatalIOErrorInFunction(dict)
-                << "Entry 'volume' is " << V << ", it must be below "
-                << 4*pi/3*pow3(largest) << ", that of a sphere with the "
-                << "ring's diameter" << exit(FatalIOError);
+                << "Entry 'volume' is " << V << "; it must be below "
+                << 4*pi/3*pow3(largest) << ", the volume of a sphere with the"
+                << " diameter of the ring." << exit(FatalIOError);
         }
     }
 

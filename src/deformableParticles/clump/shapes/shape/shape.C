@@ -34,9 +34,9 @@ void Foam::clumpShapes::shape::check(const dictionary& dict) const
     if (!n || radii_.size() != n)
     {
         FatalIOErrorInFunction(dict)
-            << "A shape needs at least one sphere and as many radii as centres;"
-            << " there are " << n << " centres and " << radii_.size()
-            << " radii"
+            << "A shape needs at least one sphere and one radius for every"
+            << " centre, but it has " << n << " centres and " << radii_.size()
+            << " radii."
             << exit(FatalIOError);
     }
 
@@ -46,7 +46,7 @@ void Foam::clumpShapes::shape::check(const dictionary& dict) const
         {
             FatalIOErrorInFunction(dict)
                 << "The radius of sphere " << i << " is " << radii_[i]
-                << ", it must be positive" << exit(FatalIOError);
+                << "; it must be positive." << exit(FatalIOError);
         }
     }
 
@@ -61,15 +61,15 @@ void Foam::clumpShapes::shape::check(const dictionary& dict) const
          || pair.first() == pair.second())
         {
             FatalIOErrorInFunction(dict)
-                << "Entry bonds: bond " << b << " joins spheres " << pair
-                << ", but the spheres are 0 to " << n - 1
-                << " and a bond joins two of them" << exit(FatalIOError);
+                << "Entry 'bonds': bond " << b << " joins spheres " << pair
+                << "; a bond must join two different spheres of 0 to " << n - 1
+                << '.' << exit(FatalIOError);
         }
         const bool forwards = pair.first() < pair.second();
         if (!seen.insert(forwards ? pair : reverse(pair)))
         {
             FatalIOErrorInFunction(dict)
-                << "Entry bonds: spheres " << pair << " are bonded twice"
+                << "Entry 'bonds': spheres " << pair << " are bonded twice."
                 << exit(FatalIOError);
         }
     }

@@ -23,7 +23,7 @@ Foam::clumpShapes::shell::shell(const dictionary& dict)
     if (n != 12 && n != 42)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'nSpheres' is " << n << ", it must be 12 or 42"
+            << "Entry 'nSpheres' is " << n << "; it must be 12 or 42."
             << exit(FatalIOError);
     }
     const scalar R = getPositive(dict, "shellRadius");

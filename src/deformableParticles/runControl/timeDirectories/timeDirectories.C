@@ -1,0 +1,87 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "timeDirectories.H"
+#include "HashSet.H"
+#include "OSspecific.H"
+#include "Pstream.H"
+
+Foam::fileName Foam::timeDirectories::mark(const fileName& directory)
+{
+    return directory/"uniform"/"incomplete";
+}
+
+
+Foam::fileName Foam::timeDirectories::aside(const fileName& directory)
+{
+    return fileName(directory + ".incomplete");
+}
+
+
+Foam::fileNameList Foam::timeDirectories::folders
+(
+    const fileName& own,
+    const fileName& common
+)
+{
+    fileNameList result(1, own);
+    if (Pstream::parRun())
+    {
+        for (const fileName& name : readDir(common, fileName::DIRECTORY))
+        {
+            if (name.compare(0, 10, "processors") == 0)
+            {
+                result.append(common/name);
+            }
+        }
+    }
+    return result;
+}
+
+
+Foam::wordList Foam::timeDirectories::incomplete(const fileNameList& here)
+{
+    List<wordList> found(Pstream::nProcs());
+    for (const fileName& folder : here)
+    {
+        for (const fileName& name : readDir(folder, fileName::DIRECTORY))
+        {
+            const bool isAside = name.hasExt("incomplete");
+            const fileName time(isAside ? name.lessExt() : name);
+            scalar value;
+            if
+            (
+                readScalar(time, value)
+             && (isAside || isFile(mark(folder/name)))
+            )
+            {
+                found[Pstream::myProcNo()].append(word(time));
+            }
+        }
+    }
+    Pstream::gatherList(found);
+    Pstream::scatterList(found);
+
+    wordHashSet names;
+    for (const wordList& part : found)
+    {
+        names.insert(part);
+    }
+    return names.sortedToc();
+}
+
+
+void Foam::timeDirectories::setAside(const fileName& directory)
+{
+    if (isDir(directory) && isDir(aside(directory)))
+    {
+        rmDir(aside(directory), true);
+    }
+    if (!mv(directory, aside(directory)) && isDir(directory))
+    {
+        FatalErrorInFunction
+            << "cannot remove " << directory << exit(FatalError);
+    }
+}

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "completeTime.H"
+#include "endSignal.H"
 #include "cutShort.H"
 #include "IOdictionary.H"
 #include "OFstream.H"
@@ -148,6 +149,7 @@ Foam::completeTime::completeTime(const argList& args)
 
     // A file above the shell's limit (ulimit -f) fails, and does not kill
     std::signal(SIGXFSZ, SIG_IGN);
+    endSignal::install();
 
     const fileNameList here(folders(path(), globalPath()));
     const wordList names(incomplete(here));
@@ -279,6 +281,14 @@ bool Foam::completeTime::run() const
 {
     const bool more = Time::run();
     finish();
+
+    const label signal = returnReduce(endSignal::received(), maxOp<label>());
+    if (more && signal && stopAt_ != saWriteNow)
+    {
+        Info<< "Signal " << signal << " received: the run writes the next time"
+            << " step and ends" << nl << endl;
+        stopAt(saWriteNow);
+    }
     return more;
 }
 

@@ -117,7 +117,7 @@ TEST_CASE("accuracyLevel: finer is not looser in anything", "[accuracy][serial]"
     }
 }
 
-TEST_CASE("accuracyLevel: says what the case has", "[accuracy][serial]")
+TEST_CASE("accuracyLevel: prints what the case has", "[accuracy][serial]")
 {
     for (const word level : {"draft", "standard", "fine"})
     {

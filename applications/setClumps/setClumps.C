@@ -32,11 +32,12 @@ int main(int argc, char* argv[])
     // new ones have their places
     deformableCloud cloud(mesh, "newClumps");
     cloud.rename("clumps");
-    rmDir(runTime.timePath()/cloud::prefix/cloud.name());
+    rmDir(runTime.timePath()/Foam::cloud::prefix/cloud.name());
+    rm(runTime.timePath()/"uniform"/(cloud.name() + "Count"));
     cloud.write();
 
     Info<< "Wrote " << cloud.nClumps() << " clumps to "
-        << runTime.timeName()/cloud::prefix/cloud.name() << nl
+        << runTime.timeName()/Foam::cloud::prefix/cloud.name() << nl
         << "End" << nl << endl;
 
     return 0;

@@ -332,6 +332,7 @@ void Foam::deformableCloud::moveParcels()
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
 
     nClumps_ = returnReduce(size(), sumOp<label>());
+    count_.set("nClumps", nClumps_);
     timing_.endStep
     (
         [&](const char* part) { return effects_.takesPart(part); }

@@ -70,7 +70,15 @@ Foam::deformableCloud::deformableCloud
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
     contacts_(types_, dict_),
     walls_(mesh, types_, dict_),
-    nClumps_(0)
+    nClumps_(0),
+    count_
+    (
+        IOobject
+        (
+            name + "Count", mesh.time().timeName(), "uniform", mesh.time(),
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        )
+    )
 {
     accuracyLevel::refuseOldEntry(dict_);
 
@@ -107,16 +115,22 @@ Foam::deformableCloud::deformableCloud
     const bool restarts = nClumps_ > 0;
     if (restarts)
     {
+        checkCount();
         restart();
+    }
+    else if (count_.getOrDefault<label>("nClumps", -1) == 0)
+    {
+        Info<< "The last clump left the domain in an earlier run" << endl;
     }
     else
     {
         place();
     }
+    count_.set("nClumps", nClumps_);
     reportFractions();
 
     updateGhosts();
-    if (!restarts && contacts_.active() && effects_.active("contact"))
+    if (!restarts && nClumps_ && contacts_.active() && effects_.active("contact"))
     {
         contacts_.refuseOverlaps
         (
@@ -255,6 +269,32 @@ void Foam::deformableCloud::reportFractions() const
 }
 
 
+void Foam::deformableCloud::checkCount() const
+{
+    label written = -1;
+    if (!count_.readIfPresent("nClumps", written) || written == nClumps_)
+    {
+        return;
+    }
+
+    labelList numbers(Pstream::nProcs());
+    numbers[Pstream::myProcNo()] = size();
+    Pstream::gatherList(numbers);
+
+    FatalErrorInFunction
+        << "The run that wrote " << mesh_.time().timePath() << " had "
+        << written << " clumps, but " << nClumps_ << " were found";
+    if (Pstream::parRun())
+    {
+        FatalError << ", by processor " << flatOutput(numbers);
+    }
+    FatalError
+        << '.' << nl << "    Files in " << cloud::prefix/name()
+        << " are missing. To continue with the remaining clumps, remove "
+        << count_.instance()/count_.local()/count_.name() << exit(FatalError);
+}
+
+
 void Foam::deformableCloud::restart()
 {
     clumpFields::read(*this, types_);
@@ -276,6 +316,7 @@ void Foam::deformableCloud::restart()
 void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
+    checkCount();
 
     const dictionary& dict = getDict(dict_, "placement");
     const placement start(dict, types_, typeIds_);

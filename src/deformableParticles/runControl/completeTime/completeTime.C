@@ -257,6 +257,29 @@ void Foam::completeTime::finish() const
 }
 
 
+void Foam::completeTime::writeAside(const word& ending)
+{
+    writeNow();
+    returnReduce(true, andOp<bool>());
+
+    // Of processors that share the directory (collated) the first one moves it
+    fileName shared(marked_);
+    Pstream::scatter(shared);
+    if (Pstream::master() || marked_ != shared)
+    {
+        const fileName moved(marked_ + '.' + ending);
+        rm(mark(marked_));
+        rmDir(moved, true);
+        if (!mv(marked_, moved))
+        {
+            FatalErrorInFunction
+                << "cannot rename " << marked_ << exit(FatalError);
+        }
+    }
+    marked_.clear();
+}
+
+
 bool Foam::completeTime::run() const
 {
     const bool more = Time::run();

@@ -52,13 +52,15 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
         return;
     }
 
-    runTime_.writeNow();
-    runTime_.finish();
+    runTime_.writeAside("unstable");
     FatalErrorInFunction
         << "The run has become unstable at time " << runTime_.timeName()
         << ":" << nl << said.c_str() << remedy << nl
         << "The state has been written to " << runTime_.timeName()
-        << ". The limits are in controlDict, watchdog." << exit(FatalError);
+        << ".unstable. The next run continues from the last time before it;"
+        << nl << "rename this folder to " << runTime_.timeName()
+        << " to inspect the state. The limits are in controlDict, watchdog."
+        << exit(FatalError);
 }
 
 

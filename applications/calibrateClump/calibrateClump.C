@@ -170,8 +170,8 @@ int main(int argc, char* argv[])
         if (v < 0 || v >= variants.size())
         {
             FatalIOErrorInFunction(dict)
-                << "Option -variant " << v << ": there are "
-                << variants.size() << " variants" << exit(FatalIOError);
+                << "Option -variant is " << v << ", but there are only "
+                << variants.size() << " variants." << exit(FatalIOError);
         }
         PtrList<dictionary> one(1);
         one.set(0, variants.set(v, nullptr));

@@ -1,5 +1,5 @@
-"""Error against cost of every numerical choice, scene by scene; the Pareto front, the presets and
-the paper's choice."""
+"""Error against cost of every numerical choice, scene by scene; the Pareto front, the accuracy
+levels and the paper's choice."""
 
 from results import Results, plt, read, save
 

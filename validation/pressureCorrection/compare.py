@@ -1,5 +1,5 @@
-"""The largest eigenvalue of a pass with the solver's correction lies inside the unit circle in
-every domain."""
+"""The largest eigenvalue of one outer corrector with the correction of the solver lies inside the
+unit circle in every domain."""
 
 from results import Results, read
 

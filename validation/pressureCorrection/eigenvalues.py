@@ -1,12 +1,10 @@
-"""Eigenvalues of a pass, written to data.csv: momentum predictor, consistent pressure equation,
-rotational correction p -= c div u*.
+"""Eigenvalues of one outer corrector, written to data.csv: momentum predictor, consistent pressure
+equation, rotational correction p -= c div u*.
 
-The matrix of one pass on the pressure, in a box of mesh cells as the solver discretises it
-(collocated, linear
-interpolation, compact Laplacian of p in the face flux), the old velocity held. A pass converges
-where all
-eigenvalues lie inside the unit circle. c is that of applications/rbcIbFoam/rotationalCorrection.H,
-in units of nu.
+The matrix that one outer corrector applies to the pressure, in a box of mesh cells as the solver
+discretises it (collocated, linear interpolation, compact Laplacian of p in the face flux), with the
+old velocity held. The outer correctors converge where all eigenvalues lie inside the unit circle. c
+is that of the class rotationalCorrection, in units of nu.
 """
 import itertools
 
@@ -125,7 +123,7 @@ CASES = {
 }
 
 rows = []
-print("largest eigenvalue of a pass with c =")
+print("largest eigenvalue of one outer corrector with c =")
 for name, (widths, sides) in CASES.items():
     for number in (10, 100, 1e3, 1e4):
         one = Pass(widths, sides, number)

@@ -87,8 +87,8 @@ Foam::label Foam::csvTable::column(const string& name) const
     if (c < 0)
     {
         FatalErrorInFunction
-            << file_ << " has no column " << name << nl
-            << "Its columns are " << columns_ << exit(FatalError);
+            << "The table " << file_ << " has no column '" << name
+            << "'. Its columns are " << columns_ << exit(FatalError);
     }
     return c;
 }

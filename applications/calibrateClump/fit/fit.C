@@ -142,7 +142,7 @@ Eigen::VectorXd Foam::fit::run(const scalar norm, const label nStarts)
         }
         if (met)
         {
-            Info<< s << tab << "meets one before" << nl;
+            Info<< s << tab << "same as an earlier start" << nl;
             continue;
         }
         seen.push_back(std::make_pair(y, sum));

@@ -36,14 +36,15 @@ Foam::freeParameters::freeParameters
         if (!p.log && scale != "linear")
         {
             FatalIOErrorInFunction(d)
-                << "Entry scale is " << scale << ", it must be log or linear"
+                << "Entry 'scale' is " << scale << "; it must be log or linear."
                 << exit(FatalIOError);
         }
         if (p.min >= p.max || (p.log && p.min <= 0))
         {
             FatalIOErrorInFunction(d)
-                << "Parameter " << p.name << ": min " << p.min << " must lie "
-                << "below max " << p.max << (p.log ? " and above 0" : "")
+                << "Parameter " << p.name << ": min (" << p.min
+                << ") must be below max (" << p.max << ')'
+                << (p.log ? " and above 0" : "")
                 << exit(FatalIOError);
         }
 
@@ -52,7 +53,8 @@ Foam::freeParameters::freeParameters
         {
             FatalIOErrorInFunction(d)
                 << "Parameter " << p.name << " starts from " << now
-                << ", outside " << p.min << " to " << p.max
+                << ", which is outside the range from " << p.min << " to "
+                << p.max
                 << exit(FatalIOError);
         }
     }

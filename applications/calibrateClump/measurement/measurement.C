@@ -95,8 +95,8 @@ Foam::measurement::measurement
         if (!quantities_.found(q))
         {
             FatalIOErrorInFunction(values)
-                << "Unknown quantity " << q << nl
-                << "This test gives " << quantities_ << exit(FatalIOError);
+                << "Unknown quantity '" << q << "'. Valid quantities: "
+                << quantities_ << exit(FatalIOError);
         }
     }
 
@@ -147,8 +147,8 @@ Foam::measurement::measurement
     if (abscissas_.size() < 2)
     {
         FatalIOErrorInFunction(dict)
-            << "A curve needs two points at least, " << file_ << " has "
-            << abscissas_.size() << (selectColumn >= 0 ? " of " : "")
+            << "A curve needs at least two points; the file " << file_
+            << " has " << abscissas_.size() << (selectColumn >= 0 ? " of " : "")
             << selected.c_str() << exit(FatalIOError);
     }
 }

@@ -143,7 +143,7 @@ TEST_CASE("type: spheres too small for a union", "[type][serial]")
 }
 
 
-TEST_CASE("type: what is wrong is told", "[type][serial]")
+TEST_CASE("type: errors name what is wrong", "[type][serial]")
 {
     dictionary dict(cellDict());
 

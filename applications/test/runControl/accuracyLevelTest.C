@@ -117,7 +117,7 @@ TEST_CASE("accuracyLevel: finer is not looser in anything", "[accuracy][serial]"
     }
 }
 
-TEST_CASE("accuracyLevel: says what the case has", "[accuracy][serial]")
+TEST_CASE("accuracyLevel: prints what the case has", "[accuracy][serial]")
 {
     for (const word level : {"draft", "standard", "fine"})
     {
@@ -131,7 +131,7 @@ TEST_CASE("accuracyLevel: says what the case has", "[accuracy][serial]")
 
         OStringStream said;
         chosen.print(said, 10, 7);
-        CHECK_THAT(said.str(), Catch::Contains("Accuracy " + level));
+        CHECK_THAT(said.str(), Catch::Contains("Accuracy level " + level));
         CHECK_THAT(said.str(), Catch::Contains("s per simulated second"));
         CHECK_THAT
         (

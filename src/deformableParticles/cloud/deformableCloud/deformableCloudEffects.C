@@ -31,8 +31,8 @@ void Foam::deformableCloud::decideGravity()
         "gravity",
         on,
         mag(g_) == 0 ? "constant/g has no gravity"
-        : on ? "the densities of clumps and fluid differ"
-        : "the densities of clumps and fluid are equal"
+      : on ? "the densities of clumps and fluid differ"
+      : "the densities of clumps and fluid are equal"
     );
 }
 

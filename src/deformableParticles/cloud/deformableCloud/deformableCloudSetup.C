@@ -283,14 +283,14 @@ void Foam::deformableCloud::checkCount() const
 
     FatalErrorInFunction
         << "The run that wrote " << mesh_.time().timePath() << " had "
-        << written << " clumps, but " << nClumps_ << " are found";
+        << written << " clumps, but " << nClumps_ << " were found";
     if (Pstream::parRun())
     {
         FatalError << ", by processor " << flatOutput(numbers);
     }
     FatalError
         << '.' << nl << "    Files in " << cloud::prefix/name()
-        << " are missing. To go on with the clumps that are there, remove "
+        << " are missing. To continue with the remaining clumps, remove "
         << count_.instance()/count_.local()/count_.name() << exit(FatalError);
 }
 

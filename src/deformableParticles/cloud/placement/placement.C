@@ -63,7 +63,8 @@ void Foam::placement::checkNumber
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << entry << "' requests " << number
-            << " clumps; the number must be between 1 and 10 million." << exit(FatalIOError);
+            << " clumps; the number must be between 1 and 10 million."
+            << exit(FatalIOError);
     }
 }
 
@@ -286,7 +287,8 @@ void Foam::placement::packRandomly(const dictionary& dict)
             FatalIOErrorInFunction(dict)
                 << "Haematocrit " << haematocrit << " cannot be reached: only "
                 << clumps_.size() << " of " << wanted
-                << " clumps could be placed without overlap." << exit(FatalIOError);
+                << " clumps could be placed without overlap."
+                << exit(FatalIOError);
         }
     }
 }

@@ -112,7 +112,7 @@ void Foam::sceneEffects::decideFluid
             found,
             found
           ? "constant/transportProperties exists"
- : "constant/transportProperties does not exist"
+          : "constant/transportProperties does not exist"
         );
     }
 

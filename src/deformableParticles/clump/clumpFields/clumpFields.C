@@ -78,7 +78,8 @@ void checkNumber
     {
         FatalErrorInFunction
             << file.objectPath() << ": the file has " << number
-            << " entries, but there are " << c.size() << " clumps" << exit(FatalError);
+            << " entries, but there are " << c.size() << " clumps"
+            << exit(FatalError);
     }
 }
 

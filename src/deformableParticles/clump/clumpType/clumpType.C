@@ -70,7 +70,8 @@ void Foam::clumpType::setMasses(const dictionary& dict)
             FatalIOErrorInFunction(dict)
                 << "Entry 'shape': the spheres (radius " << min(radii_)
                 << " m) are too small for their distance from the origin ("
-                << max(mag(centres_)) << " m) to compute their volume." << exit(FatalIOError);
+                << max(mag(centres_)) << " m) to compute their volume."
+                << exit(FatalIOError);
         }
     }
     else if (massModel == "fullSpheres")

@@ -233,8 +233,9 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
     };
     DynamicList<facet> facets;
 
-    // Is the centre behind the wall? Of the triangles that share the nearest
-    // point, an edge or a corner, the one it is farthest from the plane of says
+    // Is the centre behind the wall? If several triangles share the nearest
+    // point (on an edge or a corner), the one whose plane is farthest from the
+    // centre decides
     scalar nearest = radius;
     scalar side = 0;
 

@@ -76,11 +76,11 @@ void Foam::accuracyLevel::printMeasured(Ostream& os) const
     {
         return measured_.get<scalar>(key);
     };
-    os  << nl << "Accuracy " << name_
-        << ", measured with the mesh and the clumps that it is meant for:" << nl
-        << "    tethered cell: error of the drag " << number("dragError")
+    os  << nl << "Accuracy level " << name_
+        << ", measured with the recommended mesh and clumps:" << nl
+        << "    tethered red cell: error of the drag " << number("dragError")
         << " %, " << number("dragCost") << " s per simulated second" << nl
-        << "    cell in shear flow: error of the rotation "
+        << "    red cell in shear flow: error of the rotation "
         << number("rotationError") << " %, " << number("rotationCost")
         << " s per simulated second" << nl;
 }
@@ -101,9 +101,10 @@ void Foam::accuracyLevel::print
     const scalar cells = dict_.get<scalar>("cellsPerDiameter");
 
     printMeasured(os);
-    os  << "    The case has " << spheres << " spheres per clump (meant for "
+    os  << "    The case has " << spheres << " spheres per clump (recommended: "
         << n << ") and " << cellsPerDiameter
-        << " mesh cells per sphere diameter (meant for " << cells << ')' << nl;
+        << " mesh cells per sphere diameter (recommended: " << cells << ')'
+        << nl;
 
     if (spheres < n)
     {

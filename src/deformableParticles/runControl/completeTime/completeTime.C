@@ -68,7 +68,8 @@ void Foam::completeTime::refuse(const string& error) const
     FatalErrorInFunction
         << "Cannot write time " << timeName() << ": " << error.c_str() << nl
         << "    The last complete time is " << last_ << ". Free disk space or"
-        << " check the write permission, then start the run again." << exit(FatalError);
+        << " check the write permission, then start the run again."
+        << exit(FatalError);
 }
 
 
@@ -91,13 +92,14 @@ void Foam::completeTime::markDirectory() const
         mkDir(mark(made).path());
         OFstream os(mark(made));
         os  << "This time directory is incomplete: it is being written, or the"
-        << " run was interrupted while writing it. rbcIbFoam removes it at"
-        << " the next start.";
+            << " run was interrupted while writing it. rbcIbFoam removes it at"
+            << " the next start.";
         IOobject::writeEndDivider(os).flush();
 
         if (!os.good() || (fresh && !mv(made, marked_)))
         {
-            FatalIOErrorInFunction(os) << "the disk is full" << exit(FatalIOError);
+            FatalIOErrorInFunction(os) << "the disk is full"
+            << exit(FatalIOError);
         }
     }));
     returnReduce(true, andOp<bool>());
@@ -165,7 +167,8 @@ Foam::completeTime::completeTime(const argList& args)
                 << " incomplete because the run was interrupted while writing"
                 << " it." << nl << "    The last complete time is "
                 << (all.empty() ? word("none") : all.last().name())
-                << "; with 'startFrom latestTime' the run continues from it." << exit(FatalIOError);
+                << "; with 'startFrom latestTime' the run continues from it."
+                << exit(FatalIOError);
         }
     }
     for (const word& name : names)
@@ -175,8 +178,8 @@ Foam::completeTime::completeTime(const argList& args)
             rmDir(aside(folder/name), true);
         }
         Info<< "Time directory " << name << " was incomplete (the run was"
-<< " interrupted while writing it) and has been removed;"
-<< " continuing from " << last_ << nl
+            << " interrupted while writing it) and has been removed;"
+            << " continuing from " << last_ << nl
             << endl;
     }
 
@@ -228,9 +231,11 @@ void Foam::completeTime::need(const word& file, const word& beside) const
     if (written && !(found && cutShort::whole(start/file)))
     {
         FatalErrorInFunction
-            << "file " << start/file << (found ? " is truncated" : " is missing")
- << nl << "    The run that wrote " << start << " wrote this file, too."
- << " To start without it, remove it and " << start/"uniform" << exit(FatalError);
+            << "file " << start/file
+            << (found ? " is truncated" : " is missing") << nl
+            << "    The run that wrote " << start << " wrote this file, too."
+            << " To start without it, remove it and " << start/"uniform"
+            << exit(FatalError);
     }
 }
 

@@ -57,9 +57,10 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
         << "The run has become unstable at time " << runTime_.timeName()
         << ":" << nl << said.c_str() << remedy << nl
         << "The state has been written to " << runTime_.timeName()
-        << ".unstable, from which no run starts." << nl << "Rename this folder to "
-        << runTime_.timeName() << " to look at it. The limits are in controlDict,"
-        << " watchdog." << exit(FatalError);
+        << ".unstable. The next run continues from the last time before it;"
+        << nl << "rename this folder to " << runTime_.timeName()
+        << " to inspect the state. The limits are in controlDict, watchdog."
+        << exit(FatalError);
 }
 
 

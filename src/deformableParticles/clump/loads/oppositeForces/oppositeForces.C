@@ -27,7 +27,8 @@ Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "oppositeForces needs a 'direction' that is not zero and at"
-            << " least one sphere each in 'plus' and 'minus'." << exit(FatalIOError);
+            << " least one sphere each in 'plus' and 'minus'."
+            << exit(FatalIOError);
     }
     direction_ /= mag(direction_);
 }

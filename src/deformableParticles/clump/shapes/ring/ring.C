@@ -59,7 +59,8 @@ Foam::scalar Foam::clumpShapes::ring::radius
     if (dict.found("ringRadius"))
     {
         FatalIOErrorInFunction(dict)
-            << "Give exactly one of 'ringRadius' and 'diameter'." << exit(FatalIOError);
+            << "Give exactly one of 'ringRadius' and 'diameter'."
+            << exit(FatalIOError);
     }
 
     return
@@ -128,7 +129,8 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
     if (dict.found("sphereRadius"))
     {
         FatalIOErrorInFunction(dict)
-            << "Give exactly one of 'sphereRadius' and 'volume'." << exit(FatalIOError);
+            << "Give exactly one of 'sphereRadius' and 'volume'."
+            << exit(FatalIOError);
     }
 
     const scalar V = getPositive(dict, "volume");

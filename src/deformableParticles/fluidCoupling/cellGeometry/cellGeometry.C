@@ -75,7 +75,9 @@ void Foam::cellGeometry::setLines()
 
     forAll(mesh_.cells(), celli)
     {
-        label k = cells_[celli].firstLine;
+        cell& c = cells_[celli];
+        c.longestLine = 0;
+        label k = c.firstLine;
         for (const label facei : mesh_.cells()[celli])
         {
             lineAcross& l = lines_[k++];
@@ -93,8 +95,8 @@ void Foam::cellGeometry::setLines()
                 coefficient = boundaryCoefficient[boundaryFacei];
             }
             l.conductance =
-                mag(mesh_.faceAreas()[facei])*coefficient
-               /cells_[celli].volume;
+                mag(mesh_.faceAreas()[facei])*coefficient/c.volume;
+            c.longestLine = max(c.longestLine, mag(along(c, l)));
         }
     }
 }

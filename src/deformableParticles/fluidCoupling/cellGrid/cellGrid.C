@@ -41,32 +41,22 @@ void Foam::cellGrid::update(const UList<point>& points)
 
     if (points.size())
     {
-        // Bins as wide in all directions, as many as points. A direction in which
-        // the box is thinner than a bin has only one
+        // Bins as wide in all directions, as many as points; the points stand in
+        // their middles, half a bin from the sides of the space that is theirs
         const vector span(box_.span());
-        scalar width = 0;
-        for (label pass = 0; pass < 3; ++pass)
+        scalar width = cmptMax(span);
+        for (label pass = 0; pass < 20; ++pass)
         {
-            scalar volume = 1;
-            label nDirections = 0;
-            for (direction d = 0; d < vector::nComponents; ++d)
-            {
-                if (span[d] > width)
-                {
-                    volume *= span[d];
-                    ++nDirections;
-                }
-            }
-            if (nDirections)
-            {
-                width = Foam::pow(volume/points.size(), 1.0/nDirections);
-            }
+            const vector space(span + width*vector::one);
+            width =
+                Foam::cbrt(space.x()*space.y()*space.z()/points.size());
         }
+
         for (direction d = 0; d < vector::nComponents; ++d)
         {
-            if (span[d] > width)
+            if (span[d] > width/2)
             {
-                n_[d] = label(span[d]/width);
+                n_[d] = label(span[d]/width + 0.5) + 1;
                 perLength_[d] = n_[d]/span[d];
             }
         }
@@ -120,5 +110,8 @@ void Foam::cellGrid::find
             }
         }
     }
-    std::sort(found.begin(), found.end());
+    if (!std::is_sorted(found.begin(), found.end()))
+    {
+        std::sort(found.begin(), found.end());
+    }
 }

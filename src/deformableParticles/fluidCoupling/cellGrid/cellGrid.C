@@ -20,10 +20,8 @@ Foam::labelVector Foam::cellGrid::place(const point& p) const
     labelVector result;
     for (direction d = 0; d < vector::nComponents; ++d)
     {
-        // In this order a number that is none ends at the last bin
-        const scalar last = n_[d] - 1;
         const scalar i = (p[d] - box_.min()[d])*perLength_[d];
-        result[d] = label(i < last ? max(i, scalar(0)) : last);
+        result[d] = label(min(max(i, scalar(0)), scalar(n_[d] - 1)));
     }
     return result;
 }

@@ -79,6 +79,7 @@ TEST_CASE("solid fraction: a cut cell against random points", "[fraction]")
     );
 
     const fvMesh& mesh = testMesh();
+    const cellGeometry geometry(mesh);
     const label celli = mesh.nCells()/2;
     const point C(mesh.C()[celli]);
     const scalar dx = Foam::cbrt(mesh.V()[celli]);
@@ -119,7 +120,7 @@ TEST_CASE("solid fraction: a cut cell against random points", "[fraction]")
         (
             fraction->fraction
             (
-                mesh, celli, sphereUnion::distance(C, centres, radii),
+                geometry, celli, sphereUnion::distance(C, centres, radii),
                 centres, radii
             )
           - scalar(inside)/nPoints

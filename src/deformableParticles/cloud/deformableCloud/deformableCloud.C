@@ -241,7 +241,8 @@ void Foam::deformableCloud::addContacts()
     }
     const timeBreakdown::timer t(timing_, "contact");
 
-    contactGhosts_.update(ownImages(true));
+    setOwnImages(contactGhosts_, true);
+    contactGhosts_.update();
     UList<clumpImage>& images = contactGhosts_.images();
 
     label index = 0;
@@ -340,20 +341,20 @@ void Foam::deformableCloud::moveParcels()
 }
 
 
-Foam::List<Foam::clumpImage> Foam::deformableCloud::ownImages
+void Foam::deformableCloud::setOwnImages
 (
+    ghostExchange& ghosts,
     const bool atEnd
 ) const
 {
-    List<clumpImage> images(size());
+    UList<clumpImage>& images = ghosts.own(size());
     label index = 0;
     for (const clumpParcel& p : *this)
     {
         const clumpState& s = atEnd ? p.step().end : p.state();
-        images[index] = clumpImage(p, type(p), s, index);
+        images[index].set(p, type(p), s, index);
         ++index;
     }
-    return images;
 }
 
 
@@ -361,16 +362,16 @@ void Foam::deformableCloud::updateGhosts()
 {
     const timeBreakdown::timer t(timing_, "ghosts");
 
-    List<clumpImage> images(ownImages(false));
+    setOwnImages(ghosts_, false);
     if (coupled())
     {
         label index = 0;
         for (const clumpParcel& p : *this)
         {
-            coupling_->setRotation(images[index++], p.state());
+            coupling_->setRotation(ghosts_.images()[index++], p.state());
         }
     }
-    ghosts_.update(images);
+    ghosts_.update();
 }
 
 

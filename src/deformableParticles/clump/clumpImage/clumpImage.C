@@ -5,29 +5,33 @@
 
 #include "clumpImage.H"
 
-Foam::clumpImage::clumpImage
+void Foam::clumpImage::set
 (
     const clumpParcel& p,
     const clumpType& type,
     const clumpState& s,
     const label parcelIndex
 )
-:
-    owner(Pstream::myProcNo()),
-    index(parcelIndex),
-    original(true),
-    typeId(p.typeId()),
-    id(p.origProc(), p.origId()),
-    x(s.x + p.position()),
-    u(s.u),
-    omega(s.u.size(), Zero)
 {
+    owner = Pstream::myProcNo();
+    index = parcelIndex;
+    original = true;
+    typeId = p.typeId();
+    id = labelPair(p.origProc(), p.origId());
+    shift = Zero;
+
+    const point centre(p.position());
+    x.setSize(s.x.size());
+    u = s.u;
+    omega.setSize(s.u.size());
+    omega = Zero;
+    box = boundBox::invertedBox;
     forAll(x, i)
     {
+        x[i] = s.x[i] + centre;
         box.add(x[i] - type.radii()[i]*vector::one);
         box.add(x[i] + type.radii()[i]*vector::one);
     }
-    const point centre(p.position());
     reach = max
     (
         cmptMax(box.max() - centre), cmptMax(centre - box.min())

@@ -210,7 +210,7 @@ void Foam::ghostExchange::findNeighbours(const scalar reach)
 
 void Foam::ghostExchange::appendImages
 (
-    const clumpImage& own,
+    const label i,
     const label proci,
     DynamicList<clumpImage>& images
 ) const
@@ -226,14 +226,16 @@ void Foam::ghostExchange::appendImages
             continue;
         }
 
-        boundBox box(own.box);
+        boundBox box(images_[i].box);
         box.min() += shift;
         box.max() += shift;
 
         if (box.overlaps(reachable))
         {
-            images.append(own);
+            // The clump itself may move with this list
+            images.setSize(images.size() + 1);
             clumpImage& image = images.last();
+            image = images_[i];
             image.original = false;
             image.shift = shift;
             image.x += shift;
@@ -243,10 +245,17 @@ void Foam::ghostExchange::appendImages
 }
 
 
-void Foam::ghostExchange::update(const UList<clumpImage>& own)
+Foam::UList<Foam::clumpImage>& Foam::ghostExchange::own(const label n)
 {
-    images_ = own;
-    nOwn_ = images_.size();
+    nOwn_ = n;
+    images_.setSize(n);
+    return images_;
+}
+
+
+void Foam::ghostExchange::update()
+{
+    images_.setSize(nOwn_);
 
     scalar reach = 0;
     for (const clumpImage& image : images_)
@@ -260,12 +269,13 @@ void Foam::ghostExchange::update(const UList<clumpImage>& own)
     }
 
     sent_.setSize(neighbours_.size());
+    DynamicList<clumpImage> ghosts;
     forAll(neighbours_, n)
     {
-        DynamicList<clumpImage> ghosts;
+        ghosts.clear();
         for (label i = 0; i < nOwn_; ++i)
         {
-            appendImages(images_[i], neighbours_[n], ghosts);
+            appendImages(i, neighbours_[n], ghosts);
         }
 
         OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
@@ -280,8 +290,7 @@ void Foam::ghostExchange::update(const UList<clumpImage>& own)
 
     for (label i = 0; i < nOwn_; ++i)
     {
-        const clumpImage original(images_[i]);
-        appendImages(original, Pstream::myProcNo(), images_);
+        appendImages(i, Pstream::myProcNo(), images_);
     }
 
     for (const label proci : neighbours_)
@@ -290,7 +299,7 @@ void Foam::ghostExchange::update(const UList<clumpImage>& own)
         const label n = readLabel(is);
         for (label i = 0; i < n; ++i)
         {
-            images_.append(clumpImage());
+            images_.setSize(images_.size() + 1);
             is >> images_.last();
         }
     }

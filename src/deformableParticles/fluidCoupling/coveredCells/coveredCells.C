@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coveredCells.H"
-#include "sphereUnion.H"
+#include "sphereDistance.H"
 
-void Foam::coveredCells::find
+void Foam::coveredCells::update
 (
     const cellGeometry& geometry,
     const solidFractionModel& solidFraction,
@@ -15,54 +15,76 @@ void Foam::coveredCells::find
     const clumpImage& image
 )
 {
-    typeId = image.typeId;
-    centres = image.x;
+    if (image.typeId == typeId_ && image.x == centres_)
+    {
+        return;
+    }
+    typeId_ = image.typeId;
+    centres_ = image.x;
 
-    const fvMesh& mesh = geometry.mesh();
+    findCells(geometry, solidFraction, forcing, type, image);
+    setWeights(type.radii());
+}
+
+
+void Foam::coveredCells::findCells
+(
+    const cellGeometry& geometry,
+    const solidFractionModel& solidFraction,
+    const forcingModel& forcing,
+    const clumpType& type,
+    const clumpImage& image
+)
+{
     const scalarField& radii = type.radii();
     const scalar smallest = min(radii);
     const scalar nReaches = forcing.nReaches();
+    const sphereDistance distance(centres_, radii);
+
     DynamicList<point> nearCentres;
     DynamicList<scalar> nearRadii;
 
+    cells_.clear();
     for (const label celli : geometry.find(image.box, nReaches))
     {
-        const point& x = mesh.cellCentres()[celli];
-        const scalar reach = geometry.reach(celli);
-        if (magSqr(x - image.box.nearest(x)) > sqr(nReaches*reach))
+        const cellGeometry::cell& c = geometry[celli];
+        if (magSqr(c.x - image.box.nearest(c.x)) > sqr(nReaches*c.reach))
         {
             continue;
         }
-        const scalar d = sphereUnion::distance(x, image.x, radii);
+        const scalar d = distance(c.x);
 
-        if (d > nReaches*reach)
+        if (d > nReaches*c.reach)
         {
             continue;
         }
 
-        scalar fraction = d > reach ? 0 : 1;
-        if (mag(d) < reach)
+        scalar fraction = d > c.reach ? 0 : 1;
+        if (mag(d) < c.reach)
         {
             nearCentres.clear();
             nearRadii.clear();
-            forAll(image.x, i)
+            if (solidFraction.needsSpheres())
             {
-                // The others do not reach into the cell
-                if (mag(x - image.x[i]) < radii[i] + reach)
+                forAll(centres_, i)
                 {
-                    nearCentres.append(image.x[i]);
-                    nearRadii.append(radii[i]);
+                    // The others do not reach into the cell
+                    if (mag(c.x - centres_[i]) < radii[i] + c.reach)
+                    {
+                        nearCentres.append(centres_[i]);
+                        nearRadii.append(radii[i]);
+                    }
                 }
             }
             fraction = solidFraction.fraction
             (
-                mesh, celli, d, nearCentres, nearRadii
+                geometry, celli, d, nearCentres, nearRadii
             );
         }
 
         const forcingModel::surfaceInCell surface
         (
-            forcing.surface(geometry, celli, image.x, radii)
+            forcing.surface(geometry, celli, d, distance)
         );
 
         if
@@ -72,56 +94,52 @@ void Foam::coveredCells::find
          || surface.centreInside
         )
         {
-            const scalar dx = geometry.width(celli);
-            if (smallest < 0.999*dx)
+            if (smallest < 0.999*c.width)
             {
                 FatalErrorInFunction
-                    << "Clump type " << type.name() << " has " << 2*smallest/dx
+                    << "Clump type " << type.name() << " has "
+                    << 2*smallest/c.width
                     << " mesh cells per sphere diameter (sphere radius " << smallest
-                    << " m, mesh cell " << dx << " m, at " << image.x[0]
+                    << " m, mesh cell " << c.width << " m, at " << centres_[0]
                     << "). At least 2 are required, and 4 are recommended: refine"
                     << " the mesh." << exit(FatalError);
             }
-            cells.append(celli);
-            lambda.append(fraction);
-            centreInside.append(surface.centreInside);
-            wallConductance.append(surface.wallConductance);
+            cells_.append
+            (
+                {
+                    celli, surface.centreInside, surface.wallConductance,
+                    c.x, c.volume, fraction, 0, 0, Zero
+                }
+            );
         }
     }
-    share.setSize(cells.size());
 }
 
 
-void Foam::coveredCells::setWeights
-(
-    const fvMesh& mesh,
-    const clumpType& type,
-    const clumpImage& image
-)
+void Foam::coveredCells::setWeights(const scalarField& radii)
 {
-    const label n = type.size();
+    const label n = radii.size();
 
-    weights.setSize(n*cells.size());
-    gradWeights.setSize(n*cells.size());
-    scalarField exponent(n);
+    weights_.setSize(n*cells_.size());
+    slopes_ = -2/sqr(radii);
 
-    forAll(cells, k)
+    forAll(cells_, k)
     {
-        const point& x = mesh.cellCentres()[cells[k]];
-        scalar* w = &weights[n*k];
-        vector* gradW = &gradWeights[n*k];
-
-        for (label i = 0; i < n; ++i)
-        {
-            exponent[i] = -magSqr(x - image.x[i])/sqr(type.radii()[i]);
-        }
+        const point& x = cells_[k].x;
+        scalar* w = weights_.data() + n*k;
 
         // The largest exponent taken out: the sum is never zero
-        const scalar largest = max(exponent);
+        scalar largest = -VGREAT;
+        for (label i = 0; i < n; ++i)
+        {
+            w[i] = -magSqr(x - centres_[i])/sqr(radii[i]);
+            largest = max(largest, w[i]);
+        }
+
         scalar sum = 0;
         for (label i = 0; i < n; ++i)
         {
-            w[i] = Foam::exp(max(exponent[i] - largest, scalar(-200)));
+            w[i] = Foam::exp(max(w[i] - largest, scalar(-200)));
             sum += w[i];
         }
 
@@ -129,12 +147,8 @@ void Foam::coveredCells::setWeights
         for (label i = 0; i < n; ++i)
         {
             w[i] /= sum;
-            gradW[i] = -2/sqr(type.radii()[i])*(x - image.x[i]);
-            mean += w[i]*gradW[i];
+            mean += w[i]*(slopes_[i]*(x - centres_[i]));
         }
-        for (label i = 0; i < n; ++i)
-        {
-            gradW[i] = w[i]*(gradW[i] - mean);
-        }
+        cells_[k].meanSlope = mean;
     }
 }

@@ -80,11 +80,13 @@ void Foam::immersedBoundary::clearCovered()
 {
     for (const coveredCells& c : covered_)
     {
-        for (const label celli : c.cells)
+        for (const coveredCell& cell : c.cells())
         {
+            const label celli = cell.celli;
             solidFraction_[celli] = 0;
             solidVelocity_[celli] = Zero;
             strength_[celli] = 0;
+            dilation_[celli] = 0;
             sumLambda_[celli] = 0;
             sumShare_[celli] = 0;
         }
@@ -100,7 +102,7 @@ void Foam::immersedBoundary::checkResolution
     for (const clumpImage& image : images)
     {
         coveredCells c;
-        c.find
+        c.update
         (
             geometry_, *solidFractionModel_, *forcingModel_,
             types_[image.typeId], image
@@ -111,11 +113,11 @@ void Foam::immersedBoundary::checkResolution
 
 void Foam::immersedBoundary::addFractions(const coveredCells& c)
 {
-    forAll(c.cells, k)
+    for (const coveredCell& cell : c.cells())
     {
-        const label celli = c.cells[k];
-        sumLambda_[celli] += c.lambda[k];
-        solidFraction_[celli] = min(sumLambda_[celli], scalar(1));
+        scalar& sum = sumLambda_[cell.celli];
+        sum += cell.lambda;
+        solidFraction_[cell.celli] = min(sum, scalar(1));
     }
 }
 
@@ -127,16 +129,20 @@ void Foam::immersedBoundary::setStrengths(const volScalarField& nu)
         forcingModel_->setStrength
         (
             geometry_,
-            types_[c.typeId].radii(),
+            types_[c.typeId()].radii(),
             solidFraction_,
             nu,
             mesh_.time().deltaTValue(),
             c,
             strength_
         );
-        forAll(c.cells, k)
+        for (coveredCell& cell : c.cells())
         {
-            sumShare_[c.cells[k]] += c.share[k];
+            const label celli = cell.celli;
+            sumShare_[celli] += cell.share;
+            cell.solid =
+                solidFraction_[celli]*cell.lambda
+               /max(sumLambda_[celli], VSMALL);
         }
     }
 }
@@ -155,7 +161,8 @@ void Foam::immersedBoundary::update
         solidFraction_ = dimensionedScalar(dimless, Zero);
         solidVelocity_ = dimensionedVector(dimVelocity, Zero);
         strength_ = dimensionedScalar(dimless/dimTime, Zero);
-        covered_.clear();
+        dilation_ = dimensionedScalar(dimless/dimTime, Zero);
+        covered_.clearStorage();
     }
     else
     {
@@ -165,19 +172,12 @@ void Foam::immersedBoundary::update
 
     forAll(images, a)
     {
-        coveredCells& c = covered_[a];
-        if (!c.covers(images[a]))
-        {
-            const clumpType& type = types_[images[a].typeId];
-            c = coveredCells();
-            c.find
-            (
-                geometry_, *solidFractionModel_, *forcingModel_, type,
-                images[a]
-            );
-            c.setWeights(geometry_.mesh(), type, images[a]);
-        }
-        addFractions(c);
+        covered_[a].update
+        (
+            geometry_, *solidFractionModel_, *forcingModel_,
+            types_[images[a].typeId], images[a]
+        );
+        addFractions(covered_[a]);
     }
     setStrengths(nu);
     if (dilates_)
@@ -189,7 +189,6 @@ void Foam::immersedBoundary::update
 
 void Foam::immersedBoundary::meshChanged()
 {
-    // At once: the tree refers to the cell centres, which are others now
     meshChanged_ = true;
     geometry_.update();
     allocate();
@@ -213,7 +212,6 @@ void Foam::immersedBoundary::setCloseness(const UList<clumpImage>& images)
 
     scalarField& closeness = closeness_->primitiveFieldRef();
     closeness = 0;
-
     for (const clumpImage& image : images)
     {
         const scalarField& radii = types_[image.typeId].radii();

@@ -13,24 +13,15 @@ void Foam::immersedBoundary::visit(Images& images, const Action& action) const
 {
     forAll(images, a)
     {
-        const coveredCells& c = covered_[a];
-        const label n = images[a].x.size();
-
-        forAll(c.cells, k)
+        const coveredCells& covered = covered_[a];
+        forAll(covered.cells(), k)
         {
-            const label celli = c.cells[k];
-            const coveredCell cell
-            {
-                celli,
-                mesh_.cellCentres()[celli],
-                mesh_.V()[celli],
-                c.share[k]/max(sumShare_[celli], VSMALL),
-                solidFraction_[celli]*c.lambda[k]
-               /max(sumLambda_[celli], VSMALL),
-                SubList<scalar>(c.weights, n, n*k),
-                SubList<vector>(c.gradWeights, n, n*k)
-            };
-            action(images[a], cell);
+            const coveredCell& c = covered.cells()[k];
+            action
+            (
+                images[a], covered, c, covered.weights(k),
+                c.share/max(sumShare_[c.celli], VSMALL)
+            );
         }
     }
 }
@@ -41,14 +32,23 @@ void Foam::immersedBoundary::setDilations(UList<clumpImage>& images) const
     visit
     (
         images,
-        [](clumpImage& image, const coveredCell& c)
+        []
+        (
+            clumpImage& image, const coveredCells& covered,
+            const coveredCell& c, const scalar* w, const scalar
+        )
         {
-            const scalar V = c.volume*c.solid;
-            forAll(c.gradWeights, i)
+            if (c.solid == 0)
             {
-                const vector g(V*c.gradWeights[i]);
+                return;
+            }
+            const scalar V = c.volume*c.solid;
+            forAll(image.x, i)
+            {
+                const vector r(c.x - image.x[i]);
+                const vector g(V*covered.gradWeight(c, i, w[i], r));
                 image.dilation.g[i] += g;
-                image.dilation.h[i] += (c.x - image.x[i]) ^ g;
+                image.dilation.h[i] += r ^ g;
             }
         }
     );
@@ -64,13 +64,17 @@ void Foam::immersedBoundary::sampleVelocity
     visit
     (
         images,
-        [&U](clumpImage& image, const coveredCell& c)
+        [&U]
+        (
+            clumpImage& image, const coveredCells&,
+            const coveredCell& c, const scalar* w, const scalar
+        )
         {
             const scalar V = c.volume*c.solid;
-            forAll(c.weights, i)
+            forAll(image.x, i)
             {
-                image.force[i] += V*c.weights[i]*U[c.celli];
-                image.torque[i] += V*c.weights[i]*vector::one;
+                image.force[i] += V*w[i]*U[c.celli];
+                image.torque[i] += V*w[i]*vector::one;
             }
         }
     );
@@ -79,36 +83,41 @@ void Foam::immersedBoundary::sampleVelocity
 
 void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
 {
-    for (const coveredCells& c : covered_)
+    for (const coveredCells& covered : covered_)
     {
-        for (const label celli : c.cells)
+        for (const coveredCell& c : covered.cells())
         {
-            solidVelocity_[celli] = Zero;
+            solidVelocity_[c.celli] = Zero;
+            dilation_[c.celli] = 0;
         }
-    }
-    if (dilates_)
-    {
-        dilation_ = dimensionedScalar(dilation_.dimensions(), Zero);
     }
 
     visit
     (
         images,
-        [this](const clumpImage& image, const coveredCell& c)
+        [this]
+        (
+            const clumpImage& image, const coveredCells& covered,
+            const coveredCell& c, const scalar* w, const scalar share
+        )
         {
-            forAll(c.weights, i)
-            {
-                const vector u
-                (
-                    image.u[i] + (image.omega[i] ^ (c.x - image.x[i]))
-                );
-                solidVelocity_[c.celli] += c.share*c.weights[i]*u;
+            const bool dilates = dilates_ && c.solid > 0;
+            vector velocity(solidVelocity_[c.celli]);
+            scalar dilation = dilation_[c.celli];
 
-                if (dilates_)
+            forAll(image.x, i)
+            {
+                const vector r(c.x - image.x[i]);
+                const vector u(image.u[i] + (image.omega[i] ^ r));
+                velocity += share*w[i]*u;
+                if (dilates)
                 {
-                    dilation_[c.celli] += c.solid*(c.gradWeights[i] & u);
+                    dilation +=
+                        c.solid*(covered.gradWeight(c, i, w[i], r) & u);
                 }
             }
+            solidVelocity_[c.celli] = velocity;
+            dilation_[c.celli] = dilation;
         }
     );
 }
@@ -147,16 +156,25 @@ void Foam::immersedBoundary::integrate
     visit
     (
         images,
-        [&](clumpImage& image, const coveredCell& c)
+        [&]
+        (
+            clumpImage& image, const coveredCells& covered,
+            const coveredCell& c, const scalar* w, const scalar share
+        )
         {
-            const vector F(c.volume*c.share*(*forceModel_)(flow, c.celli));
+            const vector F(c.volume*share*(*forceModel_)(flow, c.celli));
             const scalar P = dilates_ ? c.volume*c.solid*rho*p[c.celli] : 0;
 
-            forAll(c.weights, i)
+            forAll(image.x, i)
             {
-                const vector g(c.weights[i]*F - P*c.gradWeights[i]);
+                const vector r(c.x - image.x[i]);
+                vector g(w[i]*F);
+                if (P != 0)
+                {
+                    g -= P*covered.gradWeight(c, i, w[i], r);
+                }
                 image.force[i] += g;
-                image.torque[i] += (c.x - image.x[i]) ^ g;
+                image.torque[i] += r ^ g;
             }
         }
     );

@@ -26,8 +26,8 @@ Foam::forcingModel::surfaceInCell Foam::forcingModels::continuous::surface
 (
     const cellGeometry&,
     const label,
-    const pointField&,
-    const scalarField&
+    const scalar,
+    const sphereDistance&
 ) const
 {
     // The solid fraction alone decides
@@ -46,10 +46,9 @@ void Foam::forcingModels::continuous::setStrength
     scalarField& strength
 ) const
 {
-    forAll(covered.cells, k)
+    for (coveredCell& c : covered.cells())
     {
-        const label celli = covered.cells[k];
-        covered.share[k] = covered.lambda[k];
-        strength[celli] = solidFraction[celli]/dt;
+        c.share = c.lambda;
+        strength[c.celli] = solidFraction[c.celli]/dt;
     }
 }

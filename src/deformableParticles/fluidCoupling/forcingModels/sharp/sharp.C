@@ -5,7 +5,7 @@
 
 #include "sharp.H"
 #include "coveredCells.H"
-#include "sphereUnion.H"
+#include "sphereDistance.H"
 
 namespace Foam
 {
@@ -30,26 +30,24 @@ Foam::forcingModel::surfaceInCell Foam::forcingModels::sharp::surface
 (
     const cellGeometry& geometry,
     const label celli,
-    const pointField& centres,
-    const scalarField& radii
+    const scalar d,
+    const sphereDistance& distance
 ) const
 {
-    const scalar dx = geometry.width(celli);
-    scalarField seenRadii(radii);
-    for (scalar& r : seenRadii)
+    // The surface the model sees is outside
+    if (d < 0)
     {
-        r += displacement_*sqr(dx)/r;
+        return {true, 0};
     }
-    const auto distance = [&](const point& y)
-    {
-        return sphereUnion::distance(y, centres, seenRadii);
-    };
 
-    const scalar d = distance(geometry.mesh().cellCentres()[celli]);
+    const scalar kdx2 = displacement_*sqr(geometry[celli].width);
+    const auto seenRadius = [kdx2](const scalar r) { return r + kdx2/r; };
+    const auto seen = [&](const point& y) { return distance(y, seenRadius); };
+
+    const scalar a = seen(geometry[celli].x);
     return
     {
-        d < 0,
-        d > 0 ? geometry.wallConductance(celli, d, distance) : 0
+        a < 0, a > 0 ? geometry.wallConductance(celli, a, seen) : 0
     };
 }
 
@@ -67,24 +65,25 @@ void Foam::forcingModels::sharp::setStrength
 {
     const label n = radii.size();
 
-    forAll(covered.cells, k)
+    forAll(covered.cells(), k)
     {
-        const label celli = covered.cells[k];
-        scalar S = nu[celli]*covered.wallConductance[k];
+        coveredCell& c = covered.cells()[k];
+        scalar S = nu[c.celli]*c.wallConductance;
 
-        if (covered.centreInside[k])
+        if (c.centreInside)
         {
+            const scalar* w = covered.weights(k);
             scalar radius = 0;
             for (label i = 0; i < n; ++i)
             {
-                radius += covered.weights[n*k + i]*radii[i];
+                radius += w[i]*radii[i];
             }
             S = max
             (
-                1/dt, full_*nu[celli]/(geometry.width(celli)*radius)
+                1/dt, full_*nu[c.celli]/(geometry[c.celli].width*radius)
             );
         }
-        covered.share[k] = S;
-        strength[celli] += S;
+        c.share = S;
+        strength[c.celli] += S;
     }
 }

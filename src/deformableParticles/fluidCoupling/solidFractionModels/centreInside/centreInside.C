@@ -23,7 +23,7 @@ Foam::solidFractionModels::centreInside::centreInside(const dictionary& dict)
 
 Foam::scalar Foam::solidFractionModels::centreInside::fraction
 (
-    const fvMesh&,
+    const cellGeometry&,
     const label,
     const scalar distance,
     const UList<point>&,

@@ -24,13 +24,14 @@ Foam::solidFractionModels::fullCells::fullCells(const dictionary& dict)
 
 Foam::scalar Foam::solidFractionModels::fullCells::fraction
 (
-    const fvMesh& mesh,
+    const cellGeometry& geometry,
     const label celli,
     const scalar,
     const UList<point>& centres,
     const UList<scalar>& radii
 ) const
 {
+    const fvMesh& mesh = geometry.mesh();
     for (const label pointi : mesh.cellPoints()[celli])
     {
         if (sphereUnion::distance(mesh.points()[pointi], centres, radii) > 0)

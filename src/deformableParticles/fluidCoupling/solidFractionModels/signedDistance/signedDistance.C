@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "signedDistance.H"
-#include "volFields.H"
 
 namespace Foam
 {
@@ -24,13 +23,13 @@ Foam::solidFractionModels::signedDistance::signedDistance(const dictionary& dict
 
 Foam::scalar Foam::solidFractionModels::signedDistance::fraction
 (
-    const fvMesh& mesh,
+    const cellGeometry& geometry,
     const label celli,
     const scalar distance,
     const UList<point>&,
     const UList<scalar>&
 ) const
 {
-    const scalar h = Foam::cbrt(mesh.V()[celli]);
+    const scalar h = geometry[celli].width;
     return min(max(0.5 - distance/h, scalar(0)), scalar(1));
 }

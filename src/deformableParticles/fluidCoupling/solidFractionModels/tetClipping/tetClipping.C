@@ -96,13 +96,14 @@ Foam::solidFractionModels::tetClipping::tetClipping(const dictionary& dict)
 
 Foam::scalar Foam::solidFractionModels::tetClipping::fraction
 (
-    const fvMesh& mesh,
+    const cellGeometry& geometry,
     const label celli,
     const scalar,
     const UList<point>& centres,
     const UList<scalar>& radii
 ) const
 {
+    const fvMesh& mesh = geometry.mesh();
     const label n = centres.size();
     const labelList& vertices = mesh.cellPoints()[celli];
 

@@ -367,6 +367,34 @@ TEST_CASE
 }
 
 
+TEST_CASE("boundary: a clump leaves nothing where it was", "[boundary]")
+{
+    testCloud t(point(10e-6, 9e-6, 8e-6), vector(1e-3, 2e-3, 0));
+    t.deform(0.1);
+    t.changeVelocities();
+    t.immerse();
+    CHECK(gMax(mag(t.boundary().dilation().primitiveField())) > 0);
+
+    for (clumpParcel& p : t.cloud())
+    {
+        p.state().x += vector(2e-6, 0, 0);
+    }
+    t.immerse();
+
+    const scalarField& S = t.boundary().strength();
+    const scalarField& fraction = t.boundary().solidFraction();
+    label nLeft = 0;
+    forAll(S, celli)
+    {
+        const bool touched =
+            mag(t.boundary().solidVelocity()[celli]) > 0
+         || mag(t.boundary().dilation()[celli]) > 0;
+        nLeft += touched && S[celli] == 0 && fraction[celli] == 0;
+    }
+    CHECK(returnReduce(nLeft, sumOp<label>()) == 0);
+}
+
+
 TEST_CASE("boundary: the factor on the coupling coefficient has a limit", "[boundary][coupling]")
 {
     // A flow that turns round in every pass, and grows

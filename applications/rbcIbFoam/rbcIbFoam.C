@@ -10,8 +10,8 @@ Group
 
 Description
     Incompressible flow with deformable particles (red blood cells, capsules,
-    fibres), resolved by the mesh: PISO with direct forcing in the solid
-    fraction of the clumps.
+    fibres), resolved by the mesh: PISO with direct forcing in the mesh cells
+    that the clumps cover or cut.
 
     Controls: system/fvSolution, PISO (see incompressibleFlow); the time step in
     system/controlDict (see timeStepControl); everything of the clumps in
@@ -20,15 +20,18 @@ Description
     With constant/dynamicMeshDict the mesh refines around the clumps
     (dynamicRefineFvMesh on the field clumpCloseness, see immersedBoundary).
 
-    Without a fluid (no constant/transportProperties) the clumps move alone; in a
-    frozen one or where it does not feel them (clumpProperties, effects) they are
-    dragged by it.
+    Without a fluid (no constant/transportProperties) the clumps move alone. With a
+    frozen flow, or with feedback off (clumpProperties, effects), the flow drags
+    them.
 
     Options
     \verbatim
         -estimate       runs a few steps and prints what the case will cost
-        -resistance     measures the resistance of a clump to the flow that the
-                        case makes, see resistanceMeasurement
+        -resistance <n> measures the hydrodynamic resistance of the clump with the
+                        number n and nothing else, see resistanceMeasurement
+        -steps <n>      with -resistance: steps from rest, default 20
+        -deltaT <dt>    with -resistance: time step [s], default that of the case
+        -rotation       with -resistance: also of the angular velocities
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
@@ -122,16 +125,18 @@ int main(int argc, char* argv[])
 
         if (resistance.wanted())
         {
+            // The clumps do not move, and the flow starts from rest for each column
             resistance.endStep();
         }
         else
         {
-            // --- Clumps
             if (flow.solved())
             {
                 fvOptions.correct(U);
                 flow.endStep();
             }
+
+            // --- Clumps
             if (cloud.hasFluid())
             {
                 cloud.evolve(U, p, nu);

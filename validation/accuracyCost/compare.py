@@ -66,7 +66,7 @@ for scene in title:
 scales = ("D/dx", "dt", "N", "refinement")
 figure, axes = plt.subplots(2, 2, figsize=(17, 10))
 for axis, scene in zip(axes.flat, title):
-    knobs = sorted({p[2] for p in points[scene]} - {"preset", "paper"})
+    knobs = sorted({p[2] for p in points[scene]} - {"level", "paper"})
     for i, knob in enumerate(knobs):
         own = sorted(p for p in points[scene] if p[2] == knob)
         line = "-" if knob in ("D/dx", "dt", "N") else "none"
@@ -80,8 +80,8 @@ for axis, scene in zip(axes.flat, title):
     best = front(scene)
     axis.plot([p[0] for p in best], [100*p[1] for p in best], "k--", lw=1, label="Pareto front")
     for cost, error, knob, setting in points[scene]:
-        if knob in ("preset", "paper"):
-            axis.plot(cost, 100*error, "*" if knob == "preset" else "X", color="r", ms=13, zorder=5)
+        if knob in ("level", "paper"):
+            axis.plot(cost, 100*error, "*" if knob == "level" else "X", color="r", ms=13, zorder=5)
             paper = knob == "paper"
             axis.annotate("the paper's choice" if paper else setting, (cost, 100*error), fontsize=9,
                           color="r",
@@ -96,30 +96,30 @@ for axis, scene in zip(axes.flat, title):
 save(figure, "accuracyCost.png")
 
 results = Results()
-presets = {p[3]: p for p in points["tether"] if p[2] == "preset"}
+levels = {p[3]: p for p in points["tether"] if p[2] == "level"}
 for name, limit in ("draft", 10), ("standard", 4), ("fine", 1.5):
-    if name in presets:
-        results.add(f"error of preset {name}", 100*presets[name][1], "%", 0, limit, "tethered cell")
-        cheaper = [p[0] for p in points["tether"] if p[1] <= presets[name][1] and p[2] != "preset"]
+    if name in levels:
+        results.add(f"error of level {name}", 100*levels[name][1], "%", 0, limit, "tethered cell")
+        cheaper = [p[0] for p in points["tether"] if p[1] <= levels[name][1] and p[2] != "level"]
         if cheaper:
-            results.add(f"cost of preset {name} over the cheapest of its accuracy",
-                        presets[name][0]/min(cheaper), "-",
+            results.add(f"cost of level {name} over the cheapest of its accuracy",
+                        levels[name][0]/min(cheaper), "-",
                         0, 1.1, "Pareto front")
-if len(presets) == 3:
+if len(levels) == 3:
     # What the levels of etc/accuracy say of themselves, with two digits
-    rotation = {p[3]: p for p in points["shear"] if p[2] == "preset"}
+    rotation = {p[3]: p for p in points["shear"] if p[2] == "level"}
     name = "../../etc/accuracy/measured"
     with open(name) as file:
         head = file.read().split("\ndraft", 1)[0]
     with open(name, "w") as file:
         file.write(head + "\n")
         for level in "draft", "standard", "fine":
-            figures = {"dragError": 100*presets[level][1], "dragCost": presets[level][0],
+            figures = {"dragError": 100*levels[level][1], "dragCost": levels[level][0],
                        "rotationError": 100*rotation[level][1], "rotationCost": rotation[level][0]}
             text = " ".join(f"{key} {float(f'{value:.2g}'):g};" for key, value in figures.items())
             file.write(f"{level:11s} {{ {text} }}\n")
 
-    results.add("cost of fine over that of draft", presets["fine"][0]/presets["draft"][0], "-", 60,
+    results.add("cost of fine over that of draft", levels["fine"][0]/levels["draft"][0], "-", 60,
                 40, "20 at least")
 for scene in "array", "tether", "shear":
     meshes = sorted((p for p in points[scene] if p[2] == "D/dx"), key=lambda p: float(p[3]))

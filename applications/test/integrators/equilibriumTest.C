@@ -156,7 +156,7 @@ TEST_CASE("velocity-Verlet: acceleration is force over mass", "[verlet][serial]"
         ext.t[i] = 1e-18*randomVector(random);
         ext.zeta[i] = 1e-9;
         ext.zetaR[i] = 1e-21;
-        ext.u0[i] = randomVector(random);
+        ext.imposedU[i] = randomVector(random);
     }
 
     vectorField F(type.size()), T(type.size());
@@ -175,7 +175,7 @@ TEST_CASE("velocity-Verlet: acceleration is force over mass", "[verlet][serial]"
     {
         const vector f
         (
-            F[i] + ext.f[i] - ext.zeta[i]*(s.u[i] - ext.u0[i])
+            F[i] + ext.f[i] - ext.zeta[i]*(s.u[i] - ext.imposedU[i])
         );
         const vector t(T[i] + ext.t[i] - ext.zetaR[i]*s.w[i]);
         const scalar r = type.radii()[i];

@@ -59,7 +59,7 @@ Foam::deformableCloud::deformableCloud
     const word& name
 )
 :
-    // Numbers too large: as in readProperties
+    // No floating point trap while the base class reads the files
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
     dict_(withPresentNames(dict, {{"exchange", "couplingScheme"}})),

@@ -9,12 +9,12 @@
 Foam::convectionCriterion::convectionCriterion
 (
     const deformableCloud& cloud,
-    const bool linear
+    const bool neverConvects
 )
 :
     effects_(cloud.effects()),
     timing_(cloud.timing()),
-    linear_(linear),
+    neverConvects_(neverConvects),
     diameter_(0)
 {
     for (const clumpType& type : cloud.types())
@@ -31,7 +31,7 @@ void Foam::convectionCriterion::decide
 ) const
 {
     const timeBreakdown::timer t(timing_, "checks");
-    if (linear_)
+    if (neverConvects_)
     {
         effects_.decide("convection", false, "a resistance is linear");
     }

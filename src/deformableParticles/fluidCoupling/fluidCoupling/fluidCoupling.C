@@ -130,6 +130,7 @@ void Foam::fluidCoupling::followFlow
     clumpState& s = p.state();
     forAll(s.u, i)
     {
+        // sampleVelocity has stored the integrals of velocity and volume here
         s.u[i] = image.force[i]/max(image.torque[i].x(), VSMALL);
     }
     s.w = vectorField(s.w.size(), Zero);
@@ -166,7 +167,7 @@ void Foam::fluidCoupling::addForces
     const clumpStep& step = p.step();
 
     ext.f += p.fluidForces();
-    ext.u0 = step.imposedU;
+    ext.imposedU = step.imposedU;
     if (!twoWay())
     {
         ext.zeta = oneWayDrag::resistance(type, mu_);
@@ -174,7 +175,7 @@ void Foam::fluidCoupling::addForces
     }
 
     ext.t += p.fluidTorques();
-    ext.w0 = step.imposedW;
+    ext.imposedW = step.imposedW;
     scheme_->coefficients
     (
         type, p.couplingFactor()*mu_, rho_, dt, ext.zeta, ext.zetaR
@@ -210,29 +211,31 @@ void Foam::fluidCoupling::divideInterior
 
     const auto divide = [&]
     (
-        const scalarField& z,       // of the part of the step
-        const vectorField& u,
-        const vectorField& u0,      // at the start of the step
-        scalarField& zeta,
+        const scalarField& partial,     // coefficient for the part of the step
+        const vectorField& present,     // velocity at the start of the part
+        const vectorField& start,       // velocity at the start of the step
+        scalarField& coefficient,
         vectorField& imposed,
-        vectorField& f
+        vectorField& force
     )
     {
-        forAll(z, i)
+        forAll(partial, i)
         {
-            if (z[i] <= 0)
+            const scalar z = partial[i];
+            scalar& whole = coefficient[i];
+            if (z <= 0)
             {
                 continue;
             }
-            const scalar m = (z[i] - zeta[i])/(1/h - 1/dt);
-            f[i] += m/dt*(imposed[i] - u0[i]);
-            imposed[i] = ((zeta[i] - m/dt)*imposed[i] + m/h*u[i])/z[i];
-            zeta[i] = z[i];
+            const scalar m = (z - whole)/(1/h - 1/dt);
+            force[i] += m/dt*(imposed[i] - start[i]);
+            imposed[i] = ((whole - m/dt)*imposed[i] + m/h*present[i])/z;
+            whole = z;
         }
     };
     const clumpState& now = p.step().end;
-    divide(zeta, now.u, p.state().u, ext.zeta, ext.u0, ext.f);
-    divide(zetaR, now.w, p.state().w, ext.zetaR, ext.w0, ext.t);
+    divide(zeta, now.u, p.state().u, ext.zeta, ext.imposedU, ext.f);
+    divide(zetaR, now.w, p.state().w, ext.zetaR, ext.imposedW, ext.t);
 }
 
 

@@ -125,13 +125,14 @@ void Foam::integrators::implicitEuler::balanceMomentum
         const vector impulse
         (
             dt*(ext.f[i] - (ext.k[i] & (s.x[i] - start.x[i])))
-          - z*(s.u[i] - ext.u0[i])
+          - z*(s.u[i] - ext.imposedU[i])
         );
 
         P += impulse - m*(s.u[i] - start.u[i]);
         L +=
             (r ^ impulse) - m*((r ^ s.u[i]) - (r0 ^ start.u[i]))
-          + dt*ext.t[i] - J*(s.w[i] - start.w[i]) - JR*(s.w[i] - ext.w0[i]);
+          + dt*ext.t[i] - J*(s.w[i] - start.w[i])
+          - JR*(s.w[i] - ext.imposedW[i]);
 
         M += m + z;
         S += (m + z)*r;

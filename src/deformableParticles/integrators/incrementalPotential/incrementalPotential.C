@@ -72,8 +72,8 @@ Foam::scalar Foam::incrementalPotential::value
         const vector phi(rotationVector(s.q[i]*conjugate(start_.q[i])));
         const vector du(oneByDt_*dx - start_.u[i]);
         const vector dw(oneByDt_*phi - start_.w[i]);
-        const vector duR(oneByDt_*dx - ext_.u0[i]);
-        const vector dwR(oneByDt_*phi - ext_.w0[i]);
+        const vector duR(oneByDt_*dx - ext_.imposedU[i]);
+        const vector dwR(oneByDt_*phi - ext_.imposedW[i]);
         const scalar m = type_.masses()[i]*oneByDt_;
         const scalar I = type_.inertias()[i]*oneByDt_;
         const scalar z = ext_.zeta[i];

@@ -100,8 +100,8 @@ void Foam::integrators::velocityVerlet::advance
         {
             F[i] +=
                 ext.f[i] - (ext.k[i] & (s.x[i] - x0[i]))
-              - ext.zeta[i]*(s.u[i] - ext.u0[i]);
-            T[i] += ext.t[i] - ext.zetaR[i]*(s.w[i] - ext.w0[i]);
+              - ext.zeta[i]*(s.u[i] - ext.imposedU[i]);
+            T[i] += ext.t[i] - ext.zetaR[i]*(s.w[i] - ext.imposedW[i]);
         }
     };
 

@@ -113,7 +113,7 @@ void Foam::resistanceMeasurement::endStep()
         matrix_->print(Info, cloud_.fluidDensity()*gMax(nu.primitiveField()));
         if (Pstream::master())
         {
-            OFstream file(runTime_.globalPath()/"clumpResistance.csv");
+            OFstream file(runTime_.globalPath()/"resistance.csv");
             matrix_->write(file);
         }
     }

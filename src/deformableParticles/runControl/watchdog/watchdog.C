@@ -214,13 +214,14 @@ Foam::watchdog::watchdog
         )
     )
 {
-    dictionary dict(runTime.controlDict().subOrEmptyDict("watchdog"));
-    if (dict.found("maxWay"))
-    {
-        IOWarningInFunction(dict)
-            << "The entry maxWay is now called maxDisplacement" << endl;
-        dict.changeKeyword(keyType("maxWay"), keyType("maxDisplacement"));
-    }
+    const dictionary dict
+    (
+        withPresentNames
+        (
+            runTime.controlDict().subOrEmptyDict("watchdog"),
+            {{"maxWay", "maxDisplacement"}}
+        )
+    );
     checkEntries
     (
         dict, {"maxDisplacement", "maxExtent", "maxContinuity", "maxGrowth"}

@@ -16,10 +16,11 @@ scalarField pressureScale(const volScalarField& nu)
     return Foam::sqrt(nu.mesh().V().field()/nu.primitiveField());
 }
 
-scalarField velocityScale(const clumpType& type, const volScalarField& nu)
+//- Of all clumps, whichever processor has them
+scalar velocityScale(const volScalarField& nu)
 {
     using constant::mathematical::pi;
-    return Foam::sqrt(6*pi*gMax(nu.primitiveField())*type.radii());
+    return Foam::sqrt(6*pi*gMax(nu.primitiveField()));
 }
 
 }
@@ -62,6 +63,7 @@ Foam::scalarField Foam::couplingIteration::unknowns
     const scalar level =
         flow_.p().needReference() ? gSumProd(p, V)/gSum(V) : 0;
 
+    const scalar ofVelocity = velocityScale(flow_.nu());
     DynamicList<scalar> x(pressureScale(flow_.nu())*(p - level));
     for (const clumpParcel& parcel : cloud_)
     {
@@ -69,10 +71,7 @@ Foam::scalarField Foam::couplingIteration::unknowns
         const vectorField& u = imposed ? step.imposedU : step.end.u;
         const vectorField& w = imposed ? step.imposedW : step.end.w;
         const scalarField& r = cloud_.type(parcel).radii();
-        const scalarField scale
-        (
-            velocityScale(cloud_.type(parcel), flow_.nu())
-        );
+        const scalarField scale(ofVelocity*Foam::sqrt(r));
         forAll(u, i)
         {
             for (direction d = 0; d < vector::nComponents; ++d)
@@ -111,15 +110,13 @@ void Foam::couplingIteration::add(const scalarField& change)
         SubField<scalar>(change, nCells)/pressureScale(flow_.nu());
     p.correctBoundaryConditions();
 
+    const scalar ofVelocity = velocityScale(flow_.nu());
     label k = nCells;
     for (clumpParcel& parcel : cloud_)
     {
         clumpState& end = parcel.step().end;
         const scalarField& r = cloud_.type(parcel).radii();
-        const scalarField scale
-        (
-            velocityScale(cloud_.type(parcel), flow_.nu())
-        );
+        const scalarField scale(ofVelocity*Foam::sqrt(r));
         forAll(r, i)
         {
             for (direction d = 0; d < vector::nComponents; ++d)

@@ -38,6 +38,7 @@ Description
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
 #include "convectionCriterion.H"
+#include "couplingIteration.H"
 #include "incompressibleFlow.H"
 #include "meshRefinement.H"
 #include "resistanceMeasurement.H"
@@ -70,6 +71,7 @@ int main(int argc, char* argv[])
     );
     resistanceMeasurement resistance(runTime, cloud, flow, args);
     convectionCriterion convection(cloud, resistance.wanted());
+    couplingIteration coupling(cloud, flow, !resistance.wanted());
 
     if (flow.solved())
     {
@@ -103,12 +105,8 @@ int main(int argc, char* argv[])
             }
 
             // --- Pressure-velocity coupling
-            while (piso.loop())
+            while (coupling.loop())
             {
-                if (cloud.coupled() && !piso.firstIter() && !resistance.wanted())
-                {
-                    cloud.iterate(U, p, nu);
-                }
                 const timeBreakdown::timer t(timing, "flow");
 
                 #include "UEqn.H"
@@ -149,6 +147,7 @@ int main(int argc, char* argv[])
             if (flow.solved())
             {
                 monitor.check(U, p, phi);
+                coupling.endStep();
             }
             cloud.moveParcels();
         }

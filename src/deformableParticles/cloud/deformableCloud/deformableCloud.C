@@ -17,7 +17,37 @@ void Foam::deformableCloud::immerse(const volScalarField& nu)
     const timeBreakdown::timer t(timing_, "solid fraction");
     coupling_->boundary().update(ghosts_.images(), nu);
     ghosts_.returnDilations();
+    turnVelocities();
     impose();
+}
+
+
+void Foam::deformableCloud::turnVelocities()
+{
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        clumpImage& image = ghosts_.images()[index++];
+        if (coupling_->turn(p, mesh_.time().deltaTValue()))
+        {
+            setVelocities(p, image);
+        }
+    }
+}
+
+
+void Foam::deformableCloud::setVelocities
+(
+    const clumpParcel& p,
+    clumpImage& image
+) const
+{
+    clumpState imposed(p.state());
+    imposed.u = p.step().imposedU;
+    imposed.w = p.step().imposedW;
+
+    image.u = imposed.u;
+    coupling_->setRotation(image, imposed);
 }
 
 
@@ -40,24 +70,32 @@ void Foam::deformableCloud::iterate
     const volScalarField& nu
 )
 {
+    predict(U, p, nu);
+    imposeEnd();
+}
+
+
+void Foam::deformableCloud::predict
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
     gatherForces(U, p, nu);
     solve(mesh_.time().deltaTValue());
+}
 
+
+void Foam::deformableCloud::imposeEnd()
+{
     // The clumps stay where the step began, with the velocities of its end
     label index = 0;
-    for (clumpParcel& parcel : *this)
+    for (clumpParcel& p : *this)
     {
-        clumpStep& step = parcel.step();
-        step.imposedU = step.end.u;
-        step.imposedW = step.end.w;
-
-        clumpState imposed(parcel.state());
-        imposed.u = step.imposedU;
-        imposed.w = step.imposedW;
-
-        clumpImage& image = ghosts_.images()[index++];
-        image.u = imposed.u;
-        coupling_->setRotation(image, imposed);
+        p.step().imposedU = p.step().end.u;
+        p.step().imposedW = p.step().end.w;
+        setVelocities(p, ghosts_.images()[index++]);
     }
 
     const timeBreakdown::timer t(timing_, "solid fraction");
@@ -294,6 +332,7 @@ void Foam::deformableCloud::advance
     if (hasFluid())
     {
         coupling_->divideInterior(p, h, dt, ext);
+        coupling_->deflate(p, h, ext);
     }
     integrator_->advance(bonds(p), ext, h, end);
     momentum_.addStep(ct, ext, x0, u0, end, h/dt);

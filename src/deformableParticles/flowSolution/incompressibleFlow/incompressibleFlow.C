@@ -17,7 +17,8 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
         dict,
         {
             "consistent", "momentumPredictor", "nOuterCorrectors",
-            "extrapolatePressure",
+            "extrapolatePressure", "carryPressure", "scaleCorrection",
+            "couplingTolerance", "andersonDepth",
             "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
             "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
             "frozenFlow", "ddtCorr", "turbOnFinalIterOnly",
@@ -33,9 +34,23 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
             getNumber(dict, key, 1, 1000);
         }
     }
-    if (dict.found("nNonOrthogonalCorrectors"))
+    for (const word key : {"nNonOrthogonalCorrectors", "andersonDepth"})
     {
-        getNumber(dict, "nNonOrthogonalCorrectors", 0, 1000);
+        if (dict.found(key))
+        {
+            getNumber(dict, key, 0, 1000);
+        }
+    }
+    getNonNegativeOrDefault(dict, "couplingTolerance", 0);
+    if
+    (
+        dict.getOrDefault<Switch>("carryPressure", false)
+     && dict.getOrDefault<Switch>("extrapolatePressure", false)
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "carryPressure and extrapolatePressure both predict the pressure"
+            << " of a step; set one of them to no" << exit(FatalIOError);
     }
 }
 
@@ -125,6 +140,7 @@ Foam::incompressibleFlow::incompressibleFlow
 :
     solved_(present && solved),
     options_(nullptr),
+    scalesCorrection_(false),
     pRefCell_(0),
     pRefValue_(0)
 {
@@ -132,7 +148,7 @@ Foam::incompressibleFlow::incompressibleFlow
     {
         return;
     }
-    control_.reset(new pimpleControl(mesh, "PISO"));
+    control_.reset(new outerCorrectors(mesh));
     check(getDict(mesh.solutionDict(), "PISO"));
 
     readFields(mesh);
@@ -150,6 +166,12 @@ Foam::incompressibleFlow::incompressibleFlow
                 *p_, control_->dict(), control_->nCorrPIMPLE()
             )
         );
+        if (control_->dict().getOrDefault<Switch>("carryPressure", false))
+        {
+            carried_.reset(new carriedPressure(*p_, pRefCell_));
+        }
+        scalesCorrection_ =
+            control_->dict().getOrDefault<Switch>("scaleCorrection", false);
     }
 }
 
@@ -173,6 +195,12 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
         uniform
       ? -fvm::laplacian(turbulence_->nuEff(), *U_)
       : turbulence_->divDevReff(*U_);
+}
+
+
+void Foam::incompressibleFlow::carryPressure(const volVectorField& d)
+{
+    carried_->correct(d, p_->mesh().solverDict(p_->select(false)));
 }
 
 

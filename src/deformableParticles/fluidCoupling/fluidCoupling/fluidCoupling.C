@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidCoupling.H"
+#include "bondFrame.H"
 #include "IOdictionary.H"
 
 Foam::fluidCoupling::fluidCoupling
@@ -36,6 +37,13 @@ Foam::fluidCoupling::fluidCoupling
     }
     scheme_ =
         selectModel<couplingScheme>(getDict(clumpProperties, "couplingScheme"));
+    if (scheme_->deflates())
+    {
+        for (const clumpType& type : types)
+        {
+            deflations_.append(new rigidDeflation(type));
+        }
+    }
     boundary_.reset
     (
         new immersedBoundary
@@ -236,6 +244,49 @@ void Foam::fluidCoupling::divideInterior
     const clumpState& now = p.step().end;
     divide(zeta, now.u, p.state().u, ext.zeta, ext.imposedU, ext.f);
     divide(zetaR, now.w, p.state().w, ext.zetaR, ext.imposedW, ext.t);
+}
+
+
+void Foam::fluidCoupling::deflate
+(
+    const clumpParcel& p,
+    const scalar h,
+    externalForces& ext
+) const
+{
+    if (deflations_.empty())
+    {
+        return;
+    }
+    const clumpType& type = types_[p.typeId()];
+    scalarField z(ext.zeta), zR(ext.zetaR);
+    const scalar noInertia = 0;
+    scheme_->coefficients
+    (
+        type, p.couplingFactor()*mu_, noInertia, h, z, zR
+    );
+    const clumpStep& step = p.step();
+    deflations_[p.typeId()].shift
+    (
+        type, step.end, step.imposedU, step.imposedW, z, zR, h, ext
+    );
+}
+
+
+bool Foam::fluidCoupling::turn(clumpParcel& p, const scalar dt) const
+{
+    if (!scheme_->turns())
+    {
+        return false;
+    }
+    const clumpType& type = types_[p.typeId()];
+    const clumpState& s = p.state();
+    const vector velocity(s.velocity(type));
+    const tensor R(rotation(dt*s.angularVelocity(type)).R());
+
+    p.step().imposedU = velocity + (R & (s.u - velocity));
+    p.step().imposedW = R & s.w;
+    return true;
 }
 
 

@@ -20,13 +20,19 @@ namespace couplingSchemes
 
 Foam::couplingSchemes::robin::robin(const dictionary& dict)
 :
-    coefficient_(0)
+    coefficient_(0),
+    deflates_(dict.getOrDefault("deflateRigidMotion", false)),
+    turns_(dict.getOrDefault("turnVelocities", false))
 {
     const dictionary entries
     (
         withPresentNames(dict, {{"margin", "coefficient"}})
     );
-    checkEntries(entries, {"type", "coefficient"});
+    checkEntries
+    (
+        entries,
+        {"type", "coefficient", "deflateRigidMotion", "turnVelocities"}
+    );
     coefficient_ = getNonNegative(entries, "coefficient");
 }
 

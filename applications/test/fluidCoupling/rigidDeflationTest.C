@@ -41,8 +41,8 @@ struct example
         ext.zetaR = zR + 0.3*type.inertias()/dt;
         forAll(s.u, i)
         {
-            ext.u0[i] = s.u[i] + 1e-4*randomVector(random);
-            ext.w0[i] = s.w[i] + 10*randomVector(random);
+            ext.imposedU[i] = s.u[i] + 1e-4*randomVector(random);
+            ext.imposedW[i] = s.w[i] + 10*randomVector(random);
             ext.k[i] = 1e-6*sqr(randomVector(random));
         }
     }
@@ -60,8 +60,8 @@ struct example
                 (1 - deflation.translation())*V
               + ((1 - deflation.rotation())*W ^ r[i])
             );
-            const vector u(ext.u0[i] + D);
-            const vector w(ext.w0[i] + W);
+            const vector u(ext.imposedU[i] + D);
+            const vector w(ext.imposedW[i] + W);
             ext.f[i] =
                 type.masses()[i]/dt*(u - s.u[i]) + (dt*ext.k[i] & u)
               + ext.zeta[i]*D - z[i]*rest;
@@ -73,7 +73,7 @@ struct example
 
     void shift()
     {
-        const vectorField u0(ext.u0), w0(ext.w0);
+        const vectorField u0(ext.imposedU), w0(ext.imposedW);
         deflation.shift(type, s, u0, w0, z, zR, dt, ext);
     }
 
@@ -86,12 +86,12 @@ struct example
             const vector f
             (
                 ext.f[i] - (dt*ext.k[i] & u[i])
-              - ext.zeta[i]*(u[i] - ext.u0[i])
+              - ext.zeta[i]*(u[i] - ext.imposedU[i])
               - type.masses()[i]/dt*(u[i] - s.u[i])
             );
             const vector t
             (
-                ext.t[i] - ext.zetaR[i]*(w[i] - ext.w0[i])
+                ext.t[i] - ext.zetaR[i]*(w[i] - ext.imposedW[i])
               - type.inertias()[i]/dt*(w[i] - s.w[i])
             );
             result = max(result, mag(f)/max(mag(ext.f)));
@@ -109,8 +109,8 @@ TEST_CASE("rigidDeflation: a rigid motion is solved for with its share", "[seria
     const vector V(1e-3, -2e-3, 5e-4);
     const vector W(100, 200, -50);
     const vectorField r(e.s.x - e.s.centre(e.type));
-    const vectorField u(e.ext.u0 + V + (W ^ r));
-    const vectorField w(e.ext.w0 + W);
+    const vectorField u(e.ext.imposedU + V + (W ^ r));
+    const vectorField w(e.ext.imposedW + W);
 
     e.setForces(V, W);
     CHECK(e.imbalance(u, w) > 0.1);
@@ -122,11 +122,11 @@ TEST_CASE("rigidDeflation: a rigid motion is solved for with its share", "[seria
 TEST_CASE("rigidDeflation: a converged step does not change", "[serial]")
 {
     example e(cellDict());
-    const vectorField u(e.ext.u0), w(e.ext.w0);
+    const vectorField u(e.ext.imposedU), w(e.ext.imposedW);
     e.setForces(Zero, Zero);
     e.shift();
-    CHECK(max(mag(e.ext.u0 - u)) < 1e-10*max(mag(u)));
-    CHECK(max(mag(e.ext.w0 - w)) < 1e-10*max(mag(w)));
+    CHECK(max(mag(e.ext.imposedU - u)) < 1e-10*max(mag(u)));
+    CHECK(max(mag(e.ext.imposedW - w)) < 1e-10*max(mag(w)));
 }
 
 

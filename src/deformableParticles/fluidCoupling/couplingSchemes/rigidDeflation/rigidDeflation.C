@@ -127,12 +127,12 @@ void Foam::rigidDeflation::shift
         const vector f
         (
             ext.f[i] - m*(fluidU[i] - s.u[i])
-          - ext.zeta[i]*(fluidU[i] - ext.u0[i]) - (k & fluidU[i])
+          - ext.zeta[i]*(fluidU[i] - ext.imposedU[i]) - (k & fluidU[i])
         );
         const vector t
         (
             ext.t[i] - I*(fluidW[i] - s.w[i])
-          - ext.zetaR[i]*(fluidW[i] - ext.w0[i])
+          - ext.zetaR[i]*(fluidW[i] - ext.imposedW[i])
         );
         A += (m + ext.zeta[i])*J.transpose()*J + J.transpose()*toEigen(k)*J;
         Z += z[i]*J.transpose()*J;
@@ -155,7 +155,7 @@ void Foam::rigidDeflation::shift
     const vector W(vector(D[3], D[4], D[5])/a);
     forAll(r, i)
     {
-        ext.u0[i] += z[i]/max(ext.zeta[i], VSMALL)*(V + (W ^ r[i]));
-        ext.w0[i] += zR[i]/max(ext.zetaR[i], VSMALL)*W;
+        ext.imposedU[i] += z[i]/max(ext.zeta[i], VSMALL)*(V + (W ^ r[i]));
+        ext.imposedW[i] += zR[i]/max(ext.zetaR[i], VSMALL)*W;
     }
 }

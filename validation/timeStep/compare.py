@@ -37,7 +37,7 @@ class Run:
         x = steady([r["x_m"] for r in rows], length)
         self.path = 1e6*(x[-1] - length/2)
         self.y = [1e6*(r["y_m"] - middle) for r in rows]
-        self.angle = steady([r["phase"] for r in rows], 2*pi)[-1] - rows[0]["phase"]
+        self.angle = steady([r["phase"] for r in rows], 2*pi)[-1]
         half = len(rows)//2
         self.drift = slope(self.t[half:], self.y[half:])
 

@@ -68,7 +68,7 @@ for run in everything:
     values = [("position: difference over the path", 100*max(map(abs, moved))/goal.path, "%", 0.5),
               ("angle: difference over the angle", 100*(run.angle/goal.angle - 1), "%", 0.5),
               ("drift: difference", run.drift - goal.drift, "um/s", 1)]
-    tested = row["settings"] == "long" and row["most_correctors"] == 2 and row["deltaT_s"] == 1e-3
+    tested = row["settings"] == "longTight"
     for what, value, unit, limit in values:
         if tested:
             results.add(f"{what}, {run.name()}", value, unit, 0, limit, "converged")

@@ -37,7 +37,7 @@ class Run:
         x = steady([r["x_m"] for r in rows], length)
         self.path = 1e6*(x[-1] - length/2)
         self.y = [1e6*(r["y_m"] - middle) for r in rows]
-        self.angle = steady([r["phase"] for r in rows], 2*pi)[-1] - rows[0]["phase"]
+        self.angle = steady([r["phase"] for r in rows], 2*pi)[-1]
         half = len(rows)//2
         self.drift = slope(self.t[half:], self.y[half:])
 
@@ -68,7 +68,7 @@ for run in everything:
     values = [("position: difference over the path", 100*max(map(abs, moved))/goal.path, "%", 0.5),
               ("angle: difference over the angle", 100*(run.angle/goal.angle - 1), "%", 0.5),
               ("drift: difference", run.drift - goal.drift, "um/s", 1)]
-    tested = row["settings"] == "long" and row["most_correctors"] == 2 and row["deltaT_s"] == 1e-3
+    tested = row["settings"] == "longTight"
     for what, value, unit, limit in values:
         if tested:
             results.add(f"{what}, {run.name()}", value, unit, 0, limit, "converged")

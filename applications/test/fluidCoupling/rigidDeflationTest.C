@@ -43,7 +43,6 @@ struct example
         {
             ext.imposedU[i] = s.u[i] + 1e-4*randomVector(random);
             ext.imposedW[i] = s.w[i] + 10*randomVector(random);
-            ext.k[i] = 1e-6*sqr(randomVector(random));
         }
     }
 
@@ -63,8 +62,7 @@ struct example
             const vector u(ext.imposedU[i] + D);
             const vector w(ext.imposedW[i] + W);
             ext.f[i] =
-                type.masses()[i]/dt*(u - s.u[i]) + (dt*ext.k[i] & u)
-              + ext.zeta[i]*D - z[i]*rest;
+                type.masses()[i]/dt*(u - s.u[i]) + ext.zeta[i]*D - z[i]*rest;
             ext.t[i] =
                 type.inertias()[i]/dt*(w - s.w[i]) + ext.zetaR[i]*W
               - zR[i]*(1 - deflation.rotation())*W;
@@ -85,7 +83,7 @@ struct example
         {
             const vector f
             (
-                ext.f[i] - (dt*ext.k[i] & u[i])
+                ext.f[i]
               - ext.zeta[i]*(u[i] - ext.imposedU[i])
               - type.masses()[i]/dt*(u[i] - s.u[i])
             );

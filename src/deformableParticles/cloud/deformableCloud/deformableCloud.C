@@ -331,8 +331,15 @@ void Foam::deformableCloud::advance
 
     if (hasFluid())
     {
+        // What a clump touches adds a resistance that it alone has not
+        const externalForces& steady = p.step().steadyForces;
+        const bool alone = ext.f == steady.f && ext.k == steady.k;
+
         coupling_->divideInterior(p, h, dt, ext);
-        coupling_->deflate(p, h, ext);
+        if (alone)
+        {
+            coupling_->deflate(p, h, ext);
+        }
     }
     integrator_->advance(bonds(p), ext, h, end);
     momentum_.addStep(ct, ext, x0, u0, end, h/dt);

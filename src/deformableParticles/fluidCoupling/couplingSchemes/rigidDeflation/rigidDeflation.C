@@ -20,16 +20,6 @@ Eigen::Vector3d toEigen(const vector& v)
     return Eigen::Vector3d(v.x(), v.y(), v.z());
 }
 
-Eigen::Matrix3d toEigen(const symmTensor& k)
-{
-    Eigen::Matrix3d result;
-    result <<
-        k.xx(), k.xy(), k.xz(),
-        k.xy(), k.yy(), k.yz(),
-        k.xz(), k.yz(), k.zz();
-    return result;
-}
-
 //- Velocity at r due to the rigid motions, angular velocities times a length a
 Jacobian rigid(const vector& r, const scalar a)
 {
@@ -123,18 +113,17 @@ void Foam::rigidDeflation::shift
         const Jacobian J(rigid(r[i], a));
         const scalar m = type.masses()[i]/dt;
         const scalar I = type.inertias()[i]/dt;
-        const symmTensor k(ext.k[i]*dt);
         const vector f
         (
             ext.f[i] - m*(fluidU[i] - s.u[i])
-          - ext.zeta[i]*(fluidU[i] - ext.imposedU[i]) - (k & fluidU[i])
+          - ext.zeta[i]*(fluidU[i] - ext.imposedU[i])
         );
         const vector t
         (
             ext.t[i] - I*(fluidW[i] - s.w[i])
           - ext.zetaR[i]*(fluidW[i] - ext.imposedW[i])
         );
-        A += (m + ext.zeta[i])*J.transpose()*J + J.transpose()*toEigen(k)*J;
+        A += (m + ext.zeta[i])*J.transpose()*J;
         Z += z[i]*J.transpose()*J;
         b += J.transpose()*toEigen(f);
 

@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "deformableCloud.H"
+
+void Foam::deformableCloud::immerse(const volScalarField& nu)
+{
+    for (clumpParcel& p : *this)
+    {
+        p.step().begin(p.state());
+        p.step().change = mesh_.time().deltaT0Value()*p.state().a;
+    }
+    updateGhosts();
+
+    const timeBreakdown::timer t(timing_, "solid fraction");
+    coupling_->boundary().update(ghosts_.images(), nu);
+    ghosts_.returnDilations();
+    turnVelocities();
+    impose();
+}
+
+
+void Foam::deformableCloud::turnVelocities()
+{
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        clumpImage& image = ghosts_.images()[index++];
+        if (coupling_->turn(p, mesh_.time().deltaTValue()))
+        {
+            setVelocities(p, image);
+        }
+    }
+}
+
+
+void Foam::deformableCloud::setVelocities
+(
+    const clumpParcel& p,
+    clumpImage& image
+) const
+{
+    clumpState imposed(p.state());
+    imposed.u = p.step().imposedU;
+    imposed.w = p.step().imposedW;
+
+    image.u = imposed.u;
+    coupling_->setRotation(image, imposed);
+}
+
+
+void Foam::deformableCloud::impose()
+{
+    for (label i = 0; i < ghosts_.nOwn(); ++i)
+    {
+        clumpImage& image = ghosts_.images()[i];
+        image.dilation.removeFrom(image.u, image.omega);
+    }
+    ghosts_.updateVelocities();
+    coupling_->boundary().impose(ghosts_.images());
+}
+
+
+void Foam::deformableCloud::iterate
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
+    predict(U, p, nu);
+    imposeEnd();
+}
+
+
+void Foam::deformableCloud::predict
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
+    gatherForces(U, p, nu);
+    solve(mesh_.time().deltaTValue());
+}
+
+
+void Foam::deformableCloud::imposeEnd()
+{
+    // The clumps stay where the step began, with the velocities of its end
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        p.step().imposedU = p.step().end.u;
+        p.step().imposedW = p.step().end.w;
+        setVelocities(p, ghosts_.images()[index++]);
+    }
+
+    const timeBreakdown::timer t(timing_, "solid fraction");
+    impose();
+}
+
+
+void Foam::deformableCloud::gatherForces
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& nu
+)
+{
+    const timeBreakdown::timer t(timing_, "force integral");
+
+    coupling_->integrate(U, p, nu, ghosts_.images());
+    ghosts_.returnForces();
+
+    label index = 0;
+    for (clumpParcel& parcel : *this)
+    {
+        coupling_->takeForces(parcel, ghosts_.images()[index++]);
+    }
+
+    if (coupling_->rotates())
+    {
+        const timeBreakdown::timer t(timing_, "rotation");
+        index = 0;
+        for (clumpParcel& parcel : *this)
+        {
+            coupling_->takeTorques(parcel, ghosts_.images()[index++]);
+        }
+    }
+}
+
+
+void Foam::deformableCloud::startWithFlow
+(
+    const volVectorField& U,
+    const volScalarField& nu
+)
+{
+    if (!coupled() || returnReduce(followFlow_.empty(), andOp<bool>()))
+    {
+        return;
+    }
+    updateGhosts();
+    coupling_->boundary().update(ghosts_.images(), nu);
+    coupling_->boundary().sampleVelocity(U, ghosts_.images());
+    ghosts_.returnForces();
+
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        const clumpImage& image = ghosts_.images()[index++];
+        if (followFlow_.found(p.origId()) && !type(p).fixed())
+        {
+            coupling_->followFlow(p, image);
+        }
+    }
+    followFlow_.clear();
+}
+
+
+void Foam::deformableCloud::prepareMeshChange()
+{
+    updateGhosts();
+    coupling_->boundary().setCloseness(ghosts_.images());
+    storeGlobalPositions();
+}
+
+
+void Foam::deformableCloud::meshChanged()
+{
+    coupling_->boundary().meshChanged();
+    walls_.clear();
+}

@@ -11,6 +11,7 @@
 #include "fvcSurfaceIntegrate.H"
 #include "fvmLaplacian.H"
 #include "fvMatrices.H"
+#include "orthogonalSnGrad.H"
 #include "surfaceInterpolate.H"
 
 Foam::carriedPressure::carriedPressure
@@ -54,6 +55,31 @@ Foam::tmp<Foam::volScalarField> Foam::carriedPressure::zero
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::carriedPressure::sameLevel() const
+{
+    const fvMesh& mesh = p_.mesh();
+    tmp<volScalarField> tlogV(zero("logV", dimless));
+    volScalarField& logV = tlogV.ref();
+    logV.primitiveFieldRef() = Foam::log(mesh.V().field());
+    logV.correctBoundaryConditions();
+
+    // Two levels differ by a factor of eight, or four in two dimensions
+    const surfaceScalarField change
+    (
+        mag(fv::orthogonalSnGrad<scalar>(mesh).snGrad(logV))
+       /mesh.nonOrthDeltaCoeffs()
+    );
+    tmp<volScalarField> tbeside(zero("beside", dimless));
+    volScalarField& beside = tbeside.ref();
+    beside.primitiveFieldRef() =
+        fvc::surfaceSum(pos(change - Foam::log(scalar(3))))()
+       .primitiveField();
+    beside.correctBoundaryConditions();
+
+    return neg0(fvc::interpolate(beside));
+}
+
+
 void Foam::carriedPressure::carry
 (
     const volVectorField& d,
@@ -69,6 +95,8 @@ void Foam::carriedPressure::carry
             dS.boundaryFieldRef()[i] = Zero;
         }
     }
+    dS *= sameLevel();
+
     const surfaceScalarField courant(mag(dS)*mesh.deltaCoeffs()/mesh.magSf());
     const scalar most =
         0.5*gMax(fvc::surfaceSum(courant)().primitiveField());
@@ -103,12 +131,20 @@ void Foam::carriedPressure::correct
     carry(d, q);
 
     tmp<volScalarField> tdp(zero("dp", p_.dimensions(), "fixedValue"));
-    fvScalarMatrix equation(fvm::laplacian(tdp.ref()) == q - before);
-    if (p_.needReference())
+    // The second solution has the non-orthogonal part of the gradient
+    const bool orthogonal =
+        gMax(magSqr(p_.mesh().nonOrthCorrectionVectors().primitiveField()))
+      < 1e-6;
+    const label nSolutions = orthogonal ? 1 : 2;
+    for (label i = 0; i < nSolutions; ++i)
     {
-        equation.setReference(refCell_, 0);
+        fvScalarMatrix equation(fvm::laplacian(tdp.ref()) == q - before);
+        if (p_.needReference())
+        {
+            equation.setReference(refCell_, 0);
+        }
+        equation.solve(solver);
     }
-    equation.solve(solver);
 
     p_ += tdp;
     p_.correctBoundaryConditions();

@@ -168,6 +168,7 @@ const Foam::deformableCloud& Foam::deformableCloud::find
 
 void Foam::deformableCloud::readGravity()
 {
+    const anyNumber overflow;
     const uniformDimensionedVectorField g
     (
         IOobject

@@ -260,13 +260,16 @@ void Foam::completeTime::takeFirstStart()
 {
     scalar start = firstStart_;
     firstStartFile_.readIfPresent("value", start);
-    const bool byTime =
-        writeControl_ == wcRunTime || writeControl_ == wcAdjustableRunTime;
-    if (start < value() && byTime && writeInterval_ > 0)
+    if (start < value())
     {
         firstStart_ = start;
+    }
+    const bool byTime =
+        writeControl_ == wcRunTime || writeControl_ == wcAdjustableRunTime;
+    if (byTime && firstStart_ != startTime_ && writeInterval_ > 0)
+    {
         writeTimeIndex_ =
-            label(((value() - start) + 0.5*deltaT_)/writeInterval_);
+            label(((value() - firstStart_) + 0.5*deltaT_)/writeInterval_);
     }
     firstStartFile_.set("value", timeName(firstStart_, maxPrecision_));
 }

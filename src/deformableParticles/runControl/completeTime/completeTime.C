@@ -7,6 +7,7 @@
 #include "endSignal.H"
 #include "cutShort.H"
 #include "IOdictionary.H"
+#include "logBuffer.H"
 #include "OFstream.H"
 #include "PstreamReduceOps.H"
 #include "timeDirectories.H"
@@ -185,8 +186,7 @@ Foam::completeTime::completeTime(const argList& args)
     std::signal(SIGXFSZ, SIG_IGN);
     endSignal::install();
 
-    // A log that nobody reads any more (a pipe) does not end the run
-    std::signal(SIGPIPE, SIG_IGN);
+    logBuffer::install();
 
     const fileNameList here(folders(path(), globalPath()));
     const wordList names(incomplete(here));

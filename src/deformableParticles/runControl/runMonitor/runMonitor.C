@@ -53,7 +53,7 @@ void Foam::runMonitor::start() const
     runTime_.startLoop
     (
         cloud_.hasFluid()
-      ? List<double>({3*n, n, n, sizeof(scalar)*double(mesh.nFaces())})
+      ? List<double>({3*n, n, n, sizeof(scalar)*double(mesh.nInternalFaces())})
       : List<double>(1, n)
     );
     Info<< "Starting time loop" << nl << endl;

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stepReport.H"
-#include <iostream>
 #include "fvcDiv.H"
 #include "spokenTime.H"
 #include "surfaceFields.H"
@@ -27,8 +26,7 @@ Foam::stepReport::stepReport
     start_(clock::now()),
     stepStart_(start_),
     continuityError_(0),
-    cumulativeError_(0),
-    logFailed_(false)
+    cumulativeError_(0)
 {}
 
 
@@ -69,26 +67,6 @@ void Foam::stepReport::endStep() const
         << spokenTime(max(left, scalar(0))/done*since(start_)).c_str()
         << ", " << cloud_.nClumps() << " clumps" << nl;
     runTime_.printExecutionTime(Info);
-    checkLog();
-}
-
-
-void Foam::stepReport::checkLog() const
-{
-    if (!Pstream::master() || std::cout.flush())
-    {
-        return;
-    }
-    if (!logFailed_)
-    {
-        std::cerr
-            << "The log (standard output) cannot be written: a full disk, or a"
-            << " closed pipe. The run continues without it." << std::endl;
-    }
-    logFailed_ = true;
-
-    // Written again as soon as that is possible
-    std::cout.clear();
 }
 
 

@@ -315,6 +315,7 @@ void Foam::completeTime::setDeltaT(const scalar deltaT, const bool adjust)
 void Foam::completeTime::startLoop(const List<double>& sizes) const
 {
     anyNumber_.clear();
+    endSignal::explainTraps();
     if (!writes_)
     {
         return;

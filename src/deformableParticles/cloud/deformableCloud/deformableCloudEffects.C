@@ -5,6 +5,20 @@
 
 #include "deformableCloud.H"
 
+void Foam::deformableCloud::refuseIdleEffects() const
+{
+    effects_.require("gravity", mag(g_) > 0, "constant/g has no gravity");
+    effects_.require
+    (
+        "contact", contacts_.active(), "the type of contactModel is none"
+    );
+    effects_.require
+    (
+        "walls", walls_.active(), "the type of wallContactModel is none"
+    );
+}
+
+
 void Foam::deformableCloud::decideEffects()
 {
     decideGravity();

@@ -96,6 +96,7 @@ Foam::deformableCloud::deformableCloud
     readTypes();
     readLoads();
     readGravity();
+    refuseIdleEffects();
 
     if (effects_.active("fluid"))
     {
@@ -167,14 +168,23 @@ const Foam::deformableCloud& Foam::deformableCloud::find
 
 void Foam::deformableCloud::readGravity()
 {
-    g_ = uniformDimensionedVectorField
+    const anyNumber overflow;
+    const uniformDimensionedVectorField g
     (
         IOobject
         (
             "g", mesh_.time().constant(), mesh_, IOobject::READ_IF_PRESENT
         ),
         dimensionedVector(dimAcceleration, Zero)
-    ).value();
+    );
+    if (g.dimensions() != dimAcceleration || !physical(g.value()))
+    {
+        FatalErrorInFunction
+            << "The acceleration in " << g.objectPath() << " is "
+            << g.dimensions() << ' ' << g.value() << "; it must be finite and"
+            << " have the dimensions " << dimAcceleration << exit(FatalError);
+    }
+    g_ = g.value();
 }
 
 
@@ -319,6 +329,7 @@ void Foam::deformableCloud::place()
     checkCount();
 
     const dictionary& dict = getDict(dict_, "placement");
+    placement::checkBox(dict, mesh_.bounds());
     const placement start(dict, types_, typeIds_);
 
     // Bounds of the processors' cell trees are built together

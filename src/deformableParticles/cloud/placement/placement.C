@@ -69,11 +69,30 @@ void Foam::placement::checkNumber
 }
 
 
+void Foam::placement::checkBox(const dictionary& dict, const boundBox& mesh)
+{
+    if (dict.get<word>("type") != "random")
+    {
+        return;
+    }
+    boundBox allowed(mesh);
+    allowed.inflate(1e-6);
+    const boundBox box(dict.get<point>("min"), dict.get<point>("max"));
+    if (!allowed.contains(box))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The box from 'min' " << box.min() << " to 'max' " << box.max()
+            << " extends outside the mesh, which reaches from " << mesh.min()
+            << " to " << mesh.max() << '.' << exit(FatalIOError);
+    }
+}
+
+
 void Foam::placement::readList(const dictionary& dict)
 {
     checkEntries(dict, {"type", "clumps"});
 
-    for (const dictionary& d : dict.get<List<dictionary>>("clumps"))
+    for (const dictionary& d : getDictList(dict, "clumps"))
     {
         checkEntries
         (
@@ -180,6 +199,12 @@ void Foam::placement::packRandomly(const dictionary& dict)
             << box.min() << exit(FatalIOError);
     }
     const labelVector periodic(dict.get<labelVector>("periodic"));
+    if (cmptMin(periodic) < 0 || cmptMax(periodic) > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'periodic' is " << periodic << "; every component must be"
+            << " 0 or 1." << exit(FatalIOError);
+    }
     const scalar haematocrit = getBetween(dict, "haematocrit", 0, 1);
     Random random(dict.get<label>("seed"));
 

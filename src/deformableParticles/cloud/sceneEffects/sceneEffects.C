@@ -60,6 +60,7 @@ void Foam::sceneEffects::readChoices(const dictionary& chosen)
                 << exit(FatalIOError);
         }
 
+        given_ = chosen;
         effect& e = const_cast<effect&>(find(name.c_str()));
         e.chosen = choice(choices[value]);
         if (e.chosen != choice::automatic)
@@ -85,6 +86,12 @@ void Foam::sceneEffects::decide
         "loads",
         loads && getDict(clumpProperties, "loads").size(),
         loads ? "clumpProperties has loads" : "there are no loads"
+    );
+    require
+    (
+        "loads",
+        loads && getDict(clumpProperties, "loads").size(),
+        "clumpProperties has no loads"
     );
 
     const dictionary& types = getDict(clumpProperties, "types");
@@ -128,6 +135,9 @@ void Foam::sceneEffects::decideFluid
             << "Entry 'effects': feedback is on, but " << still.c_str()
             << '.' << exit(FatalIOError);
     }
+    require("convection", flows, still);
+    require("refinement", flows && mesh.dynamic(), "the mesh is static");
+    require("rotation", active("feedback"), "the flow does not feel the clumps");
     if (!flows)
     {
         decide("convection", false, still);
@@ -143,10 +153,11 @@ void Foam::sceneEffects::decideFluid
     {
         decide("rotation", false, "the flow does not feel the clumps");
     }
-    else if (automatic("rotation"))
+    else if (!switchedOff("rotation"))
     {
         const word model(getDict(dict, "rotation").get<word>("type"));
         decide("rotation", model != "none", model);
+        require("rotation", model != "none", "the type of rotation is none");
     }
 }
 
@@ -182,6 +193,24 @@ void Foam::sceneEffects::decideForModel
         }
     }
     decide(name, false, "no " + family);
+    require(name, false, "no clump type has a " + family);
+}
+
+
+void Foam::sceneEffects::require
+(
+    const char* name,
+    const bool acts,
+    const string& reason
+) const
+{
+    const effect& e = find(name);
+    if (e.chosen == choice::on && !acts)
+    {
+        FatalIOErrorInFunction(given_)
+            << "Entry 'effects': " << name << " is on, but " << reason.c_str()
+            << ". Valid here: off, auto" << exit(FatalIOError);
+    }
 }
 
 

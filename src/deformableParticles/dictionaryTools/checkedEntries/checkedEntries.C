@@ -179,6 +179,75 @@ Foam::dictionary Foam::withPresentNames
 }
 
 
+const Foam::wordList& Foam::functionObjectEntries()
+{
+    static const wordList names
+    {
+        "type", "libs", "functionObjectLibs", "region", "subRegion", "enabled",
+        "log", "useNamePrefix", "errors", "timeStart", "timeEnd",
+        "executeControl", "executeInterval", "writeControl", "writeInterval",
+        "outputControl", "outputInterval", "triggerStart", "triggerEnd",
+        "controlMode", "deltaTCoeff", "nStepsToStartTimeChange",
+        "writePrecision", "writeToFile", "useUserTime"
+    };
+    return names;
+}
+
+
+const Foam::wordList& Foam::fvOptionEntries()
+{
+    static const wordList names
+    {
+        "type", "active", "log", "timeStart", "duration", "selectionMode",
+        "cellSet", "cellZone", "points", "fields"
+    };
+    return names;
+}
+
+
+Foam::List<Foam::dictionary> Foam::getDictList
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    const string rule
+    (
+        "Entry '" + key + "' must be a list of dictionaries: " + key
+      + " ( { ... } { ... } );"
+    );
+    if (dict.isDict(key))
+    {
+        FatalIOErrorInFunction(dict) << rule.c_str() << exit(FatalIOError);
+    }
+
+    // Outside of all braces there is nothing but the parentheses of the list,
+    // and perhaps its length before them
+    label braces = 0;
+    for (const token& t : dict.lookup(key))
+    {
+        if (t == token::BEGIN_BLOCK)
+        {
+            ++braces;
+        }
+        else if (t == token::END_BLOCK)
+        {
+            --braces;
+        }
+        else if
+        (
+            braces == 0
+         && !t.isLabel() && t != token::BEGIN_LIST && t != token::END_LIST
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << rule.c_str() << " Found " << t << exit(FatalIOError);
+        }
+    }
+    return dict.get<List<dictionary>>(key);
+}
+
+
 const Foam::dictionary& Foam::getDict(const dictionary& dict, const word& key)
 {
     if (dict.found(key) && !dict.isDict(key))

@@ -9,6 +9,7 @@
 #include "fvcFlux.H"
 #include "fvmLaplacian.H"
 #include "initialPressure.H"
+#include "solverSettings.H"
 
 void Foam::incompressibleFlow::check(const dictionary& dict)
 {
@@ -55,8 +56,69 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+//- Beyond this no flow is physical, in any unit of U, p and phi, and products
+//  with it stay finite
+constexpr scalar largestInFlow = 1e15;
+
+template<class Type>
+bool reasonable(const UList<Type>& values, label& at)
+{
+    forAll(values, i)
+    {
+        for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
+        {
+            const scalar x = component(values[i], d);
+            if (!std::isfinite(x) || mag(x) > largestInFlow)
+            {
+                at = i;
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+
+//- Fatal where a value that was read is infinite, not a number or far too large
+template<class FieldType>
+void refuseUnphysical(const FieldType& field)
+{
+    label at = -1;
+    string where;
+    if (!reasonable(field.primitiveField(), at))
+    {
+        where = "the internal field, entry " + name(at);
+    }
+    forAll(field.boundaryField(), patchi)
+    {
+        if (where.empty() && !reasonable(field.boundaryField()[patchi], at))
+        {
+            where =
+                "patch " + field.boundaryField()[patchi].patch().name()
+              + ", face " + name(at);
+        }
+    }
+    if (!where.empty())
+    {
+        FatalErrorInFunction
+            << "file " << field.objectPath() << ": " << where.c_str()
+            << " is outside the physical range, " << -largestInFlow << " to "
+            << largestInFlow << exit(FatalError);
+    }
+}
+
+}
+
+
 void Foam::incompressibleFlow::readFields(const fvMesh& mesh)
 {
+    // What is too large for the machine becomes infinite, and is refused here
+    const anyNumber overflow;
     const auto file = [&](const char* name)
     {
         Info<< "Reading field " << name << endl;
@@ -80,6 +142,8 @@ void Foam::incompressibleFlow::readFields(const fvMesh& mesh)
             << "; they must be " << dimVelocity << " and " << sqr(dimVelocity)
             << exit(FatalError);
     }
+    refuseUnphysical(*U_);
+    refuseUnphysical(*p_);
 }
 
 
@@ -91,7 +155,11 @@ void Foam::incompressibleFlow::startFields(const fvMesh& mesh)
         "phi", mesh.time().timeName(), mesh,
         IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
     );
-    phi_.reset(new surfaceScalarField(file, fvc::flux(*U_)));
+    {
+        const anyNumber overflow;
+        phi_.reset(new surfaceScalarField(file, fvc::flux(*U_)));
+        refuseUnphysical(*phi_);
+    }
 
     // Boundary conditions may look up phi
     const bool goesOn =
@@ -159,6 +227,8 @@ Foam::incompressibleFlow::incompressibleFlow
 
     if (solved_)
     {
+        solverSettings::check(*p_);
+        solverSettings::check(*U_);
         extrapolation_.reset
         (
             new pressureExtrapolation

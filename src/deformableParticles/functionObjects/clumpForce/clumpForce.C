@@ -25,7 +25,7 @@ Foam::functionObjects::clumpForce::clumpForce
 :
     clumpTable(name, runTime, dict, typeName)
 {
-    start(dict);
+    read(dict);
 }
 
 

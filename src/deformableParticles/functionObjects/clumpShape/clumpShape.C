@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpShape.H"
+#include "deformableCloud.H"
 #include "sphereUnion.H"
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
@@ -83,17 +84,22 @@ Foam::functionObjects::clumpShape::clumpShape
     const dictionary& dict
 )
 :
-    clumpTable(name, runTime, dict, typeName),
+    clumpTable(name, runTime, dict, typeName, {"marked"}),
     marked_(0)
 {
-    start(dict);
+    read(dict);
 }
 
 
 bool Foam::functionObjects::clumpShape::read(const dictionary& dict)
 {
-    refuseMisspelt(dict, {"cloud", "flow", "gradient", "marked"});
-    marked_ = dict.found("marked") ? getNumber(dict, "marked", 0, 9999) : 0;
+    marked_ =
+        dict.found("marked")
+      ? getNumber
+        (
+            dict, "marked", 0, deformableCloud::find(mesh_, dict).mostSpheres() - 1
+        )
+      : 0;
     return clumpTable::read(dict);
 }
 

@@ -13,14 +13,18 @@ Foam::functionObjects::clumpTable::clumpTable
     const word& name,
     const Time& runTime,
     const dictionary& dict,
-    const word& fileName
+    const word& fileName,
+    const wordList& further
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, fileName, dict),
+    table_(mesh_, name, fileName),
+    entries_({"cloud", "flow", "gradient"}),
     flow_(Zero),
     gradient_(Zero)
-{}
+{
+    entries_.append(further);
+}
 
 
 Foam::vector Foam::functionObjects::clumpTable::direction
@@ -46,19 +50,9 @@ Foam::scalar Foam::functionObjects::clumpTable::angle(const vector& v) const
 }
 
 
-void Foam::functionObjects::clumpTable::start(const dictionary& dict)
-{
-    read(dict);
-    if (Pstream::master())
-    {
-        writeHeader(file());
-    }
-}
-
-
 bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
 {
-    refuseMisspelt(dict, {"cloud", "flow", "gradient"});
+    checkEntries(dict, entries_, functionObjectEntries());
     cloudName_ = deformableCloud::find(mesh_, dict).name();
     flow_ = direction(dict, "flow", vector(1, 0, 0));
     gradient_ = direction(dict, "gradient", vector(0, 1, 0));
@@ -68,7 +62,7 @@ bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
             << "Entries 'flow' " << flow_ << " and 'gradient' " << gradient_
             << " are not at right angles." << exit(FatalIOError);
     }
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+    return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }
 
 
@@ -131,14 +125,14 @@ bool Foam::functionObjects::clumpTable::write()
             text.append(allRows[proci]);
         }
 
+        Ostream& os = table_.open([this](Ostream& s) { writeHeader(s); });
         const SortableList<label> order(id);
         forAll(order, k)
         {
-            file()
-                << time_.timeOutputValue() << '\t' << order[k] << '\t'
+            os  << time_.timeOutputValue() << '\t' << order[k] << '\t'
                 << text[order.indices()[k]].c_str() << nl;
         }
-        file() << flush;
+        table_.flush();
     }
 
     return true;

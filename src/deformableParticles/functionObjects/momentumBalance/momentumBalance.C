@@ -21,6 +21,32 @@ namespace functionObjects
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+void writeHeader(Ostream& os)
+{
+    os  << "# Momentum of clumps and fluid over a step [N]" << nl
+        << "# time [s]";
+    for
+    (
+        const char* term :
+        {
+            "clumps rate", "fluid", "interior", "coupling", "applied",
+            "fluid rate", "forcing", "patches", "sources"
+        }
+    )
+    {
+        os  << '\t' << term << " x y z";
+    }
+    os  << "\trelative: thirdLaw\tclumps\tfluid\tcoupling\ttotal" << nl;
+}
+
+}
+
+
 Foam::functionObjects::momentumBalance::momentumBalance
 (
     const word& name,
@@ -29,36 +55,17 @@ Foam::functionObjects::momentumBalance::momentumBalance
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict)
+    table_(mesh_, name, typeName)
 {
     read(dict);
-    if (Pstream::master())
-    {
-        file()
-            << "# Momentum of clumps and fluid over a step [N]" << nl
-            << "# time [s]";
-        for
-        (
-            const char* term :
-            {
-                "clumps rate", "fluid", "interior", "coupling", "applied",
-                "fluid rate", "forcing", "patches", "sources"
-            }
-        )
-        {
-            file() << '\t' << term << " x y z";
-        }
-        file()
-            << "\trelative: thirdLaw\tclumps\tfluid\tcoupling\ttotal" << endl;
-    }
 }
 
 
 bool Foam::functionObjects::momentumBalance::read(const dictionary& dict)
 {
-    refuseMisspelt(dict, {"cloud"});
+    checkEntries(dict, {"cloud"}, functionObjectEntries());
     cloudName_ = deformableCloud::find(mesh_, dict).name();
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+    return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }
 
 
@@ -210,7 +217,8 @@ bool Foam::functionObjects::momentumBalance::write()
 
     if (Pstream::master())
     {
-        file() << time_.timeOutputValue();
+        Ostream& os = table_.open(&writeHeader);
+        os  << time_.timeOutputValue();
         for
         (
             const vector& F :
@@ -220,7 +228,7 @@ bool Foam::functionObjects::momentumBalance::write()
             }
         )
         {
-            file() << '\t' << F.x() << '\t' << F.y() << '\t' << F.z();
+            os  << '\t' << F.x() << '\t' << F.y() << '\t' << F.z();
         }
         for
         (
@@ -231,9 +239,10 @@ bool Foam::functionObjects::momentumBalance::write()
             }
         )
         {
-            file() << '\t' << mag(F)/size;
+            os  << '\t' << mag(F)/size;
         }
-        file() << endl;
+        os  << nl;
+        table_.flush();
     }
 
     return true;

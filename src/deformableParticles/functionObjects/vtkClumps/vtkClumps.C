@@ -110,6 +110,17 @@ void writeField
 }
 
 
+//- Fatal when not all of the file could be written
+void refuseUnwritten(std::ofstream& os, const fileName& file)
+{
+    os.close();
+    if (!os)
+    {
+        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
+    }
+}
+
+
 void endPiece(vtk::formatter& format)
 {
     format.endPiece();
@@ -134,7 +145,7 @@ Foam::functionObjects::vtkClumps::vtkClumps
 
 bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
 {
-    refuseMisspelt(dict, {"cloud"});
+    checkEntries(dict, {"cloud"}, functionObjectEntries());
     cloudName_ = deformableCloud::find(mesh_, dict).name();
     return fvMeshFunctionObject::read(dict);
 }
@@ -213,6 +224,7 @@ bool Foam::functionObjects::vtkClumps::write()
         writeField(*format, "fluidForce", allForces);
         format->endPointData();
         endPiece(*format);
+        refuseUnwritten(os, file);
         spheres_.append(time_.value(), file.name());
         spheres_.write(dir/"spheres.vtp");
     }
@@ -229,6 +241,7 @@ bool Foam::functionObjects::vtkClumps::write()
         writeField(*format, "clump", allBondClumps);
         format->endCellData();
         endPiece(*format);
+        refuseUnwritten(os, file);
         bonds_.append(time_.value(), file.name());
         bonds_.write(dir/"bonds.vtp");
     }

@@ -10,6 +10,7 @@
 #include "volFields.H"
 #include "fvMatrices.H"
 #include "zeroGradientFvPatchFields.H"
+#include "basicSymmetryFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "FlatOutput.H"
 #include "checkedEntries.H"
@@ -68,7 +69,9 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
             << flatOutput(mesh.sortedNames<volVectorField>())
             << exit(FatalIOError);
     }
+    checkEntries(dict, {"Ubar", typeName + "Coeffs"}, fvOptionEntries());
     readMeanVelocity();
+    refuseOthers(dict);
 
     if (state_.headerOk())
     {
@@ -89,6 +92,85 @@ void Foam::fv::meanVelocityGradient::readMeanVelocity()
             << "Entry 'Ubar' must not be zero." << exit(FatalIOError);
     }
     direction_ = Ubar_/mag(Ubar_);
+
+    if (!returnReduce(flowsFreely(), orOp<bool>()))
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "Entry 'Ubar' is " << Ubar_ << ", but the boundary conditions fix"
+            << " the mean velocity in this direction: no cyclic patches repeat"
+            << " along it, and " << fieldNames_[0] << " is fixed on all other"
+            << " patches. The gradient would grow without limit."
+            << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::fv::meanVelocityGradient::flowsFreely() const
+{
+    const auto& U = mesh_.lookupObject<volVectorField>(fieldNames_[0]);
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        const polyPatch& patch = pf.patch().patch();
+        if (isA<coupledPolyPatch>(patch))
+        {
+            const auto& pair = refCast<const coupledPolyPatch>(patch);
+            for (const vector& s : pair.separation())
+            {
+                if (mag(s & direction_) > 1e-6*mag(s))
+                {
+                    return true;
+                }
+            }
+            if (!pair.parallel())
+            {
+                return true;
+            }
+        }
+        else if
+        (
+            !polyPatch::constraintType(patch.type())
+         && !isA<basicSymmetryFvPatchVectorField>(pf)
+         && !pf.fixesValue()
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::fv::meanVelocityGradient::refuseOthers(const dictionary& dict) const
+{
+    for (const entry& e : dict.parent())
+    {
+        if (!e.isDict() || e.keyword() == name_)
+        {
+            continue;
+        }
+        const dictionary& other = e.dict();
+        if
+        (
+            other.getOrDefault<word>("type", "none") != typeName
+         || !other.getOrDefault("active", true)
+        )
+        {
+            continue;
+        }
+        const vector Ubar
+        (
+            other.optionalSubDict(typeName + "Coeffs").get<vector>("Ubar")
+        );
+        if (mag(Ubar & direction_) > 1e-6*mag(Ubar))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'Ubar' is " << Ubar_ << " in " << name_ << " and "
+                << Ubar << " in " << e.keyword() << ". Both hold the mean"
+                << " velocity in the same direction, and their gradients would"
+                << " grow without limit. Remove one of them."
+                << exit(FatalIOError);
+        }
+    }
 }
 
 
@@ -158,9 +240,9 @@ void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
     Info<< "Mean velocity = " << mean << ", pressure gradient = "
         << gradient_ << endl;
 
-    state_.set("gradient", gradient_);
-    state_.set("response", response_);
-    state_.set("responseStep", responseStep_);
+    setExact(state_, "gradient", gradient_);
+    setExact(state_, "response", response_);
+    setExact(state_, "responseStep", responseStep_);
 }
 
 

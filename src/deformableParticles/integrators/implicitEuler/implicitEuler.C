@@ -17,7 +17,7 @@ namespace integrators
 
 Foam::integrators::implicitEuler::implicitEuler(const dictionary& dict)
 :
-    tolerance_(getPositive(dict, "tolerance")),
+    tolerance_(getBetween(dict, "tolerance", smallestEntry, 0.01)),
     maxIterations_(getNumber(dict, "maxIterations", 1, 100000))
 {
     checkEntries(dict, {"type", "tolerance", "maxIterations"});

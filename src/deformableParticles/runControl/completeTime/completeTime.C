@@ -7,9 +7,11 @@
 #include "endSignal.H"
 #include "cutShort.H"
 #include "IOdictionary.H"
+#include "logBuffer.H"
 #include "OFstream.H"
 #include "PstreamReduceOps.H"
 #include "timeDirectories.H"
+#include "writeTrial.H"
 #include <csignal>
 
 namespace
@@ -31,6 +33,27 @@ const argList& setIncompleteAside(const argList& args)
     }
     return args;
 }
+
+//- While an object of this class lives, all digits of a number are written
+class exactNumbers
+{
+    const unsigned precision_;
+
+public:
+
+    explicit exactNumbers(const bool wanted)
+    :
+        precision_(IOstream::defaultPrecision())
+    {
+        if (wanted)
+        {
+            IOstream::defaultPrecision(max(precision_, 17u));
+        }
+    }
+
+    ~exactNumbers() { IOstream::defaultPrecision(precision_); }
+};
+
 
 //- Do what writes, and return what went wrong
 template<class Action>
@@ -142,16 +165,28 @@ void Foam::completeTime::readDict()
 
 Foam::completeTime::completeTime(const argList& args)
 :
-    Time(Time::controlDictName, setIncompleteAside(args)),
+    Time(Time::controlDictName, (anyNumber(), setIncompleteAside(args))),
     last_(timeName()),
     keep_(0),
-    writes_(true)
+    writes_(true),
+    anyNumber_(new anyNumber),
+    firstStart_(startTime_),
+    firstStartFile_
+    (
+        IOobject
+        (
+            "firstStart", timeName(), "uniform", *this,
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        )
+    )
 {
     takePurge();
 
     // A file above the shell's limit (ulimit -f) fails, and does not kill
     std::signal(SIGXFSZ, SIG_IGN);
     endSignal::install();
+
+    logBuffer::install();
 
     const fileNameList here(folders(path(), globalPath()));
     const wordList names(incomplete(here));
@@ -216,6 +251,82 @@ Foam::completeTime::completeTime(const argList& args)
     if (state.readIfPresent("value", value) && timeName(value) == timeName())
     {
         setTime(value, timeIndex());
+    }
+    takeFirstStart();
+}
+
+
+void Foam::completeTime::takeFirstStart()
+{
+    scalar start = firstStart_;
+    firstStartFile_.readIfPresent("value", start);
+    if (start < value())
+    {
+        firstStart_ = start;
+    }
+    const bool byTime =
+        writeControl_ == wcRunTime || writeControl_ == wcAdjustableRunTime;
+    if (byTime && firstStart_ != startTime_ && writeInterval_ > 0)
+    {
+        writeTimeIndex_ =
+            label(((value() - firstStart_) + 0.5*deltaT_)/writeInterval_);
+    }
+    firstStartFile_.set("value", timeName(firstStart_, maxPrecision_));
+}
+
+
+Foam::scalar Foam::completeTime::dividing(const scalar deltaT) const
+{
+    const scalar left = max
+    (
+        scalar(0), (writeTimeIndex_ + 1)*writeInterval_ - (value() - firstStart_)
+    );
+    const scalar number = left/deltaT;
+    if (number > labelMax)
+    {
+        return deltaT;
+    }
+    const scalar even = left/max(label(1), label(round(number)));
+    return min(max(even, 0.2*deltaT), 2.0*deltaT);
+}
+
+
+void Foam::completeTime::setDeltaT(const scalar deltaT, const bool adjust)
+{
+    if
+    (
+        !adjust
+     || writeControl_ != wcAdjustableRunTime
+     || firstStart_ == startTime_
+    )
+    {
+        Time::setDeltaT(deltaT, adjust);
+        return;
+    }
+
+    // Writes count from the first start, function objects from that of this run
+    Time::setDeltaT(dividing(deltaT), false);
+    writeControl_ = wcNone;
+    adjustDeltaT();
+    writeControl_ = wcAdjustableRunTime;
+}
+
+
+void Foam::completeTime::startLoop(const List<double>& sizes) const
+{
+    anyNumber_.clear();
+    endSignal::explainTraps();
+    if (!writes_)
+    {
+        return;
+    }
+    const string error(writeTrial::attempt(path(), sizes));
+    if (!error.empty())
+    {
+        FatalErrorInFunction
+            << "The case cannot be written: " << error.c_str() << nl
+            << "    Free disk space or check the write permission, the quota"
+            << " and the limit of the shell (ulimit -f)." << exit(FatalError);
     }
 }
 
@@ -291,7 +402,7 @@ bool Foam::completeTime::run() const
     if (more && signal && stopAt_ != saWriteNow)
     {
         Info<< "Signal " << signal << " received: the run writes the next time"
-            << " step and ends" << nl << endl;
+            << " step and ends with status 0" << nl << endl;
         stopAt(saWriteNow);
     }
     return more;
@@ -300,7 +411,12 @@ bool Foam::completeTime::run() const
 
 Foam::Time& Foam::completeTime::operator++()
 {
+    // OpenFOAM counts the intervals of the writes from here
+    const scalar thisStart = startTime_;
+    startTime_ = firstStart_;
     Time::operator++();
+    startTime_ = thisStart;
+
     writeTime_ = writeTime_ && writes_;
     if (writeTime_)
     {
@@ -325,6 +441,7 @@ bool Foam::completeTime::write(const bool valid) const
     bool good = false;
     refuse(attempt([&]()
     {
+        const exactNumbers digits(writeFormat() == IOstream::BINARY);
         good = Time::write(valid);
         fileHandler().flush();
     }));

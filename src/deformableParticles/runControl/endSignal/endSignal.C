@@ -5,6 +5,7 @@
 
 #include "endSignal.H"
 #include <csignal>
+#include <unistd.h>
 
 namespace
 {
@@ -21,6 +22,23 @@ extern "C" void remember(int signal)
     number = signal;
 }
 
+//- Of OpenFOAM, which prints the stack
+struct sigaction handlerBefore;
+
+extern "C" void sayTrap(int signal)
+{
+    // Nothing but write is safe here
+    static const char text[] =
+        "\n--> A floating point exception in the time step: a number became"
+        " infinite or undefined.\n    The run is unstable, or an entry is many"
+        " orders of magnitude from a usual one.\n    Reduce deltaT and check the"
+        " entries; the run continues from the last time directory.\n\n";
+    const auto written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
+    static_cast<void>(written);
+    sigaction(SIGFPE, &handlerBefore, nullptr);
+    raise(signal);
+}
+
 }
 
 
@@ -29,6 +47,15 @@ void Foam::endSignal::install()
     number = 0;
     std::signal(SIGTERM, remember);
     std::signal(SIGINT, remember);
+}
+
+
+void Foam::endSignal::explainTraps()
+{
+    struct sigaction mine = {};
+    mine.sa_handler = sayTrap;
+    sigemptyset(&mine.sa_mask);
+    sigaction(SIGFPE, &mine, &handlerBefore);
 }
 
 

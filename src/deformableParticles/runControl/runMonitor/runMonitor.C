@@ -46,6 +46,16 @@ void Foam::runMonitor::start() const
     {
         accuracy_.print(Info, cloud_.mostSpheres(), cloud_.cellsPerDiameter());
     }
+
+    // Fields of a time directory
+    const polyMesh& mesh = cloud_.pMesh();
+    const double n = sizeof(scalar)*double(mesh.nCells());
+    runTime_.startLoop
+    (
+        cloud_.hasFluid()
+      ? List<double>({3*n, n, n, sizeof(scalar)*double(mesh.nInternalFaces())})
+      : List<double>(1, n)
+    );
     Info<< "Starting time loop" << nl << endl;
 }
 

@@ -177,6 +177,11 @@ void Foam::watchdog::checkGrowth
     const scalar growth =
         growth_->add(runTime_.value(), speed, driving(U, p, phi));
 
+    if (runTime_.writeTime())
+    {
+        growth_->write(state_.subDictOrAdd("growth"));
+    }
+
     if (!(growth < maxGrowth_))
     {
         OStringStream said;
@@ -231,6 +236,10 @@ Foam::watchdog::watchdog
     maxContinuity_ = getPositiveOrDefault(dict, "maxContinuity", 0.1);
     maxGrowth_ = getPositiveOrDefault(dict, "maxGrowth", 30);
     halves_ = state_.getOrDefault("halveStep", false);
+    if (state_.found("growth"))
+    {
+        growth_.reset(new flowGrowth(getDict(state_, "growth")));
+    }
 }
 
 

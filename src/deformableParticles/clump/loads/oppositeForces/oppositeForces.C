@@ -30,6 +30,16 @@ Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
             << " least one sphere each in 'plus' and 'minus'."
             << exit(FatalIOError);
     }
+    for (const label i : plus_)
+    {
+        if (minus_.found(i))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entries 'plus' " << plus_ << " and 'minus' " << minus_
+                << " both contain the sphere " << i
+                << ", whose forces would cancel." << exit(FatalIOError);
+        }
+    }
     direction_ /= mag(direction_);
 }
 

@@ -1,0 +1,127 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "solverSettings.H"
+#include "checkedEntries.H"
+#include "ddtScheme.H"
+#include "gradScheme.H"
+#include "LduMatrix.H"
+#include "lduMatrix.H"
+#include "volFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+template<class Table>
+void checkSelection
+(
+    const dictionary& dict,
+    const word& what,
+    const word& selected,
+    const Table& table
+)
+{
+    if (!table.found(selected))
+    {
+        FatalIOErrorInLookup(dict, what, selected, table) << exit(FatalIOError);
+    }
+}
+
+
+//- A preconditioner is a word, or a dictionary that has it
+word preconditioner(const dictionary& dict)
+{
+    const bool nested = dict.isDict("preconditioner");
+    return
+        nested
+      ? dict.subDict("preconditioner").get<word>("preconditioner")
+      : dict.get<word>("preconditioner");
+}
+
+
+template<class Solvers, class Smoothers, class Preconditioners>
+void checkSolver
+(
+    const dictionary& dict,
+    const Solvers& solvers,
+    const Smoothers& smoothers,
+    const Preconditioners& preconditioners
+)
+{
+    const word solver(dict.get<word>("solver"));
+    if (solver == "diagonal")
+    {
+        return;
+    }
+    checkSelection(dict, "matrix solver", solver, solvers);
+    getNonNegativeOrDefault(dict, "tolerance", 0);
+    getNonNegativeOrDefault(dict, "relTol", 0);
+
+    if (solver == "GAMG" || solver == "smoothSolver")
+    {
+        // Several smoothers may stand in a list; they are left to OpenFOAM
+        ITstream& is = dict.lookup("smoother");
+        if (is.size() == 1 && is[0].isWord())
+        {
+            checkSelection
+            (
+                dict, "matrix smoother", is[0].wordToken(), smoothers
+            );
+        }
+    }
+    else if (dict.found("preconditioner"))
+    {
+        checkSelection
+        (
+            dict, "matrix preconditioner", preconditioner(dict), preconditioners
+        );
+    }
+}
+
+
+//- Those of the field and of the last corrector
+const word endings[] = {"", "Final"};
+
+}
+
+
+void Foam::solverSettings::check(const volScalarField& p)
+{
+    const fvMesh& mesh = p.mesh();
+    for (const word& ending : endings)
+    {
+        checkSolver
+        (
+            mesh.solverDict(p.name() + ending),
+            *lduMatrix::solver::symMatrixConstructorTablePtr_,
+            *lduMatrix::smoother::symMatrixConstructorTablePtr_,
+            *lduMatrix::preconditioner::symMatrixConstructorTablePtr_
+        );
+    }
+    fv::gradScheme<scalar>::New(mesh, mesh.gradScheme("grad(p)"));
+}
+
+
+void Foam::solverSettings::check(const volVectorField& U)
+{
+    const fvMesh& mesh = U.mesh();
+    for (const word& ending : endings)
+    {
+        const dictionary& dict = mesh.solverDict(U.name() + ending);
+        if (dict.getOrDefault<word>("type", "segregated") == "segregated")
+        {
+            checkSolver
+            (
+                dict,
+                *lduMatrix::solver::asymMatrixConstructorTablePtr_,
+                *lduMatrix::smoother::asymMatrixConstructorTablePtr_,
+                *lduMatrix::preconditioner::asymMatrixConstructorTablePtr_
+            );
+        }
+    }
+    fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme("ddt(U)"));
+}

@@ -1,0 +1,33 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "tableFile.H"
+
+Foam::Ostream& Foam::functionObjects::tableFile::open
+(
+    const std::function<void(Ostream&)>& writeHeader
+)
+{
+    if (writeToFile() && !filePtr_.valid())
+    {
+        resetFile(fileName_);
+        writeHeader(file());
+    }
+    return file();
+}
+
+
+void Foam::functionObjects::tableFile::flush()
+{
+    if (writeToFile())
+    {
+        file().flush();
+        if (!file().good())
+        {
+            FatalErrorInFunction
+                << "cannot write " << file().name() << exit(FatalError);
+        }
+    }
+}

@@ -5,9 +5,15 @@ from results import Results, plt, read, save
 
 unit = {"array": "processor seconds per array", "tether": "processor seconds per simulated second",
         "shear": "processor seconds per simulated second",
+        "drift": "processor seconds per simulated second",
         "stretching": "processor seconds per curve"}
 title = {"array": "Drag of a cubic array of spheres", "tether": "Drag on the tethered cell",
-         "shear": "Rotation of a free cell in shear", "stretching": "Stretching curve"}
+         "shear": "Rotation of a free cell in shear",
+         "drift": "Drift of a free cell across the shear", "stretching": "Stretching curve"}
+
+# Of an error of one, in the unit of the error
+scale = {scene: (100, "%") for scene in title}
+scale["drift"] = (1, "um/s")
 
 rows = read("data.csv")
 
@@ -19,7 +25,10 @@ def value(scene, knob, setting):
 
 
 def reference(scene):
-    """The finest mesh, corrected for its time step where a smaller one was run."""
+    """The converged run, or the finest mesh, corrected for its time step where a smaller one was run."""
+    converged = [r["value"] for r in rows if r["scene"] == scene and r["knob"] == "converged"]
+    if converged:
+        return converged[0]
     same = [r for r in rows if r["scene"] == scene and r["knob"] == "D/dx"]
     finest = max(same, key=lambda r: r["D_dx"])
     if scene != "tether":
@@ -34,7 +43,9 @@ for scene in title:
     for r in rows:
         if r["scene"] != scene or r["value"] == "lost":
             continue
-        error = r["value"] if given else abs(r["value"]/reference(scene) - 1)
+        error = r["value"] if given else abs(r["value"] - reference(scene))
+        if scene in ("tether", "shear"):
+            error /= abs(reference(scene))
         setting = r["setting"] if isinstance(r["setting"], str) else f"{r['setting']:g}"
         # What the reference is built from has no error of its own
         if given or error > 1e-6:
@@ -55,8 +66,9 @@ for scene in title:
     lost = [f"{r['knob']} {r['setting']}" for r in rows if r["scene"] == scene
             and r["value"] == "lost"]
     print(f"\n{title[scene]}\n  {'knob':14s} {'setting':18s} {'error':>8s}  {unit[scene]}")
+    factor, of = scale[scene]
     for cost, error, knob, setting in sorted(points[scene], key=lambda p: (p[2], p[0])):
-        print(f"  {knob:14s} {setting:18s} {100*error:7.2f} %  {cost:10.3g}"
+        print(f"  {knob:14s} {setting:18s} {factor*error:7.2f} {of:4s}  {cost:10.3g}"
               f"{'   Pareto' if (cost, error, knob, setting) in on_front else ''}")
     for name in lost:
         print(f"  {name}: lost its stability")
@@ -64,26 +76,28 @@ for scene in title:
 # Of the knobs with a scale every setting is written beside its point, of the others beside the
 # knob's name
 scales = ("D/dx", "dt", "N", "refinement")
-figure, axes = plt.subplots(2, 2, figsize=(17, 10))
+figure, axes = plt.subplots(3, 2, figsize=(17, 15))
+axes[2, 1].axis("off")
 for axis, scene in zip(axes.flat, title):
+    factor, of = scale[scene]
     knobs = sorted({p[2] for p in points[scene]} - {"level", "paper"})
     for i, knob in enumerate(knobs):
         own = sorted(p for p in points[scene] if p[2] == knob)
         line = "-" if knob in ("D/dx", "dt", "N") else "none"
         name = knob if knob in scales else f"{knob}: {', '.join(p[3] for p in own)}"
-        axis.plot([p[0] for p in own], [100*p[1] for p in own], "os^vD<>phX*"[i % 11], ls=line,
+        axis.plot([p[0] for p in own], [factor*p[1] for p in own], "os^vD<>phX*"[i % 11], ls=line,
                   lw=0.8, ms=6,
                   color=plt.cm.tab20(i), label=name)
         for cost, error, _, setting in own if knob in scales else ():
-            axis.annotate(setting, (cost, 100*error), fontsize=7, xytext=(4, 4),
+            axis.annotate(setting, (cost, factor*error), fontsize=7, xytext=(4, 4),
                           textcoords="offset points")
     best = front(scene)
-    axis.plot([p[0] for p in best], [100*p[1] for p in best], "k--", lw=1, label="Pareto front")
+    axis.plot([p[0] for p in best], [factor*p[1] for p in best], "k--", lw=1, label="Pareto front")
     for cost, error, knob, setting in points[scene]:
         if knob in ("level", "paper"):
-            axis.plot(cost, 100*error, "*" if knob == "level" else "X", color="r", ms=13, zorder=5)
+            axis.plot(cost, factor*error, "*" if knob == "level" else "X", color="r", ms=13, zorder=5)
             paper = knob == "paper"
-            axis.annotate("the paper's choice" if paper else setting, (cost, 100*error), fontsize=9,
+            axis.annotate("the paper's choice" if paper else setting, (cost, factor*error), fontsize=9,
                           color="r",
                           ha="right" if paper else "left", xytext=(-10, -4) if paper else (6, -11),
                           textcoords="offset points")
@@ -91,7 +105,7 @@ for axis, scene in zip(axes.flat, title):
     axis.set_yscale("linear" if scene == "stretching" else "log")
     axis.set_title(title[scene])
     axis.set_xlabel(unit[scene])
-    axis.set_ylabel("error [%]")
+    axis.set_ylabel(f"error [{of}]")
     axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1))
 save(figure, "accuracyCost.png")
 

@@ -7,7 +7,7 @@ from results import Results, plt, read, save
 
 # Length of the domain [m]
 periods = {scene: 45e-6 for scene in
-           ("shear", "shear, 0.1 s", "shear of 1000 1/s", "refined mesh", "32 cells")}
+           ("shear", "shear for 0.1 s", "fast shear", "refined mesh", "32 cells")}
 periods["tube"] = 40e-6
 middle = 11.25e-6
 
@@ -76,7 +76,7 @@ def limits(row):
     """In position, angle and drift, of the runs that have some."""
     if row["scene"] == "shear" and row["settings"] == "longTight":
         return 0.5, 0.5, 1
-    if row["scene"] == "shear, 0.1 s" and row["settings"] == "long" and row["most_correctors"] > 1:
+    if row["scene"] == "shear for 0.1 s" and row["settings"] == "long" and row["most_correctors"] > 1:
         return 0.5, 0.5, 0.3
     return None
 

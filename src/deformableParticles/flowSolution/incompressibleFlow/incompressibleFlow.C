@@ -19,6 +19,7 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
         {
             "consistent", "momentumPredictor", "nOuterCorrectors",
             "extrapolatePressure", "carryPressure", "scaleCorrection",
+            "wallMobility",
             "couplingTolerance", "andersonDepth",
             "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
             "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
@@ -240,6 +241,10 @@ Foam::incompressibleFlow::incompressibleFlow
         {
             carried_.reset(new carriedPressure(*p_, pRefCell_));
         }
+        if (control_->dict().getOrDefault<Switch>("wallMobility", false))
+        {
+            mobility_.reset(new wallMobility(*U_));
+        }
         scalesCorrection_ =
             control_->dict().getOrDefault<Switch>("scaleCorrection", false);
     }
@@ -278,6 +283,23 @@ void Foam::incompressibleFlow::meshChanged()
 {
     *phi_ = fvc::flux(*U_);
     phi_->oldTime() = fvc::flux(U_->oldTime());
+    if (mobility_.valid())
+    {
+        mobility_->meshChanged();
+    }
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::pressureMobility
+(
+    tmp<volScalarField> tA
+)
+{
+    if (mobility_.valid())
+    {
+        tA.ref() += mobility_->resistance(nu());
+    }
+    return 1/tA;
 }
 
 

@@ -116,7 +116,8 @@ def outcome(case):
         return "sanitizer"
     if run.returncode == 0:
         return "long" if stopped else "accepted"
-    if run.returncode == 1 and "FOAM FATAL" in said:
+    # The second one is of OpenFOAM, on names of files with blanks
+    if run.returncode == 1 and ("FOAM FATAL" in said or "this is considered fatal" in said):
         return "refused"
     if run.returncode == -signal.SIGFPE and "floating point exception in the time step" in said:
         return "trapped"

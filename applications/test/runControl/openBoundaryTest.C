@@ -267,3 +267,27 @@ TEST_CASE("flowReversal: the part of the velocity that reverses", "[serial]")
     CHECK(flowReversal::part(flux0, flux, U0, U, cellU, area) == Approx(0.5));
     CHECK(flowReversal::part(flux0, flux, U0, U0, cellU, area) == 0);
 }
+
+
+TEST_CASE("flowGrowth: a restart has the history of the run", "[serial]")
+{
+    // Exponential growth, whose factor depends on all of the past
+    flowGrowth whole(0, 0.1);
+    autoPtr<flowGrowth> parts(new flowGrowth(0, 0.1));
+    for (label i = 1; i < 60; ++i)
+    {
+        const scalar speed = std::exp(0.2*i)/3;
+        if (i % 7 == 0)
+        {
+            dictionary state;
+            parts->write(state);
+            parts.reset(new flowGrowth(state));
+        }
+        CHECK(parts->add(i/3.0, speed, 0) == whole.add(i/3.0, speed, 0));
+    }
+
+    dictionary broken;
+    whole.write(broken);
+    broken.set("past", 1000);
+    CHECK_THROWS(flowGrowth(broken));
+}

@@ -27,8 +27,8 @@ read_by_us = [("constant/clumpProperties", 3), ("system/fvSolution", 3), ("syste
               ("0/U", 2), ("0/p", 2), ("1e-06/U", 1), ("1e-06/p", 1), ("1e-06/phi", 1),
               ("1e-06/uniform", 4), ("1e-06/lagrangian", 4), ("0/lagrangian", 3)]
 
-odd = """-1 0 1 2 3 0.5 1e-300 1e-41 1e-6 1e30 1e300 1e999 nan -1e-6 1000000 -2147483648 ( ) { } ; ()
-    (0 0 0) " $types $.. ".*" [0 1 0 0 0 0 0] /* //""".split() + ["(0 0 0)", "#calc", "yes", "no"]
+odd = """-1 0 1 2 3 0.5 1e-300 1e-41 1e-6 1e30 1e300 1e999 nan -1e-6 1000000 -2147483648 ( ) { }
+    ; () " $types $.. ".*" [0 1 0 0 0 0 0] /* //""".split() + ["(0 0 0)", "#calc", "yes", "no"]
 
 
 def files_of(case, name):
@@ -97,7 +97,8 @@ class Mutator:
 def outcome(case):
     """(kind, log): accepted, refused, trapped, long, or what is wrong."""
     with open(os.path.join(case, "log"), "wb") as log:
-        run = subprocess.Popen(["rbcIbFoam"], cwd=case, stdout=log, stderr=subprocess.STDOUT)
+        run = subprocess.Popen(["rbcIbFoam"], cwd=case, env=dict(os.environ, PWD=case),
+                               stdout=log, stderr=subprocess.STDOUT)
         stopped = False
         try:
             run.wait(patience)
@@ -116,7 +117,8 @@ def outcome(case):
         return "sanitizer"
     if run.returncode == 0:
         return "long" if stopped else "accepted"
-    if run.returncode == 1 and "FOAM FATAL" in said:
+    # The second one is of OpenFOAM, on names of files with blanks
+    if run.returncode == 1 and ("FOAM FATAL" in said or "this is considered fatal" in said):
         return "refused"
     if run.returncode == -signal.SIGFPE and "floating point exception in the time step" in said:
         return "trapped"

@@ -5,6 +5,8 @@
 
 #include "endSignal.H"
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <unistd.h>
 
 namespace
@@ -20,6 +22,13 @@ extern "C" void remember(int signal)
         std::raise(signal);
     }
     number = signal;
+}
+
+//- OpenFOAM aborts after some of its errors, with the message and the stack
+extern "C" void endWithError(int)
+{
+    std::fflush(nullptr);
+    std::_Exit(EXIT_FAILURE);
 }
 
 //- Of OpenFOAM, which prints the stack
@@ -47,6 +56,10 @@ void Foam::endSignal::install()
     number = 0;
     std::signal(SIGTERM, remember);
     std::signal(SIGINT, remember);
+    if (!std::getenv("FOAM_ABORT"))
+    {
+        std::signal(SIGABRT, endWithError);
+    }
 }
 
 

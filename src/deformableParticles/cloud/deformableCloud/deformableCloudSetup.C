@@ -10,7 +10,7 @@
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
-#include "treeDataCell.H"
+#include "surfaceCrossing.H"
 #include "uniformDimensionedFields.H"
 
 namespace Foam
@@ -131,12 +131,9 @@ Foam::deformableCloud::deformableCloud
     reportFractions();
 
     updateGhosts();
-    if (!restarts && nClumps_ && contacts_.active() && effects_.active("contact"))
+    if (!restarts && nClumps_)
     {
-        contacts_.refuseOverlaps
-        (
-            ghosts_.images(), ghosts_.nOwn(), getDict(dict_, "placement")
-        );
+        checkStart();
     }
     if (coupled())
     {
@@ -245,17 +242,27 @@ void Foam::deformableCloud::readLoads()
 }
 
 
-bool Foam::deformableCloud::inMesh(const point& p) const
+void Foam::deformableCloud::checkStart() const
 {
-    bool found = false;
-    for (const vector& shift : ghosts_.shifts())
+    const dictionary& dict = getDict(dict_, "placement");
+    if (contacts_.active() && effects_.active("contact"))
     {
-        const point image(p + shift);
-        found =
-            found
-         || (ghosts_.localBox().contains(image) && mesh_.findCell(image) >= 0);
+        contacts_.refuseOverlaps(ghosts_.images(), ghosts_.nOwn(), dict);
     }
-    return returnReduce(found, orOp<bool>());
+
+    const surfaceCrossing crossing(mesh_, types_, ghosts_, 0.01);
+    if (crossing.outside())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'position': " << crossing.description().c_str()
+            << exit(FatalIOError);
+    }
+    if (crossing.nClumps())
+    {
+        IOWarningInFunction(dict)
+            << crossing.nClumps() << " clumps start across a wall or an open"
+            << " patch; " << crossing.description().c_str() << endl;
+    }
 }
 
 
@@ -329,61 +336,11 @@ void Foam::deformableCloud::place()
     checkCount();
 
     const dictionary& dict = getDict(dict_, "placement");
-    placement::checkBox(dict, mesh_.bounds());
-    const placement start(dict, types_, typeIds_);
+    selectModel<placement>(dict, types_, typeIds_)->place
+    (
+        mesh_, *this, followFlow_
+    );
 
-    // Bounds of the processors' cell trees are built together
-    mesh_.cellTree();
-
-    forAll(start.clumps(), k)
-    {
-        const placement::placed& p = start.clumps()[k];
-
-        const label celli =
-            ghosts_.localBox().contains(p.position)
-          ? mesh_.findCell(p.position) : -1;
-
-        // On a boundary between processors the first one takes it
-        label proci = celli >= 0 ? Pstream::myProcNo() : labelMax;
-        reduce(proci, minOp<label>());
-
-        if (proci == labelMax)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'position': clump " << k << " of type "
-                << types_[p.typeId].name() << " at " << p.position
-                << " lies outside the mesh." << exit(FatalIOError);
-        }
-        forAll(p.state.x, i)
-        {
-            if (!inMesh(p.position + p.state.x[i]))
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Entry 'position': sphere " << i << " of clump " << k
-                    << " of type " << types_[p.typeId].name() << " at "
-                    << p.position + p.state.x[i] << " lies outside the mesh."
-                    << exit(FatalIOError);
-            }
-        }
-
-        if (proci == Pstream::myProcNo())
-        {
-            addParticle
-            (
-                new clumpParcel(mesh_, p.position, celli, p.typeId, p.state)
-            );
-
-            // The number in the list, however the mesh is decomposed
-            clumpParcel& parcel = *last();
-            parcel.origProc() = 0;
-            parcel.origId() = k;
-        }
-        if (p.followsFlow)
-        {
-            followFlow_.insert(k);
-        }
-    }
-
-    nClumps_ = start.clumps().size();
+    nClumps_ = returnReduce(size(), sumOp<label>());
     Info<< "Placed " << nClumps_ << " clumps" << endl;
 }

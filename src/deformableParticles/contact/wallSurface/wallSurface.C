@@ -128,25 +128,47 @@ Foam::wallSurface::wallSurface
     const ghostExchange& ghosts
 )
 {
+    DynamicList<face> walls;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            walls.append(pp);
+        }
+    }
+    collect(walls, mesh.points(), ghosts);
+}
+
+
+Foam::wallSurface::wallSurface
+(
+    const UList<face>& faces,
+    const UList<point>& points,
+    const ghostExchange& ghosts
+)
+{
+    collect(faces, points, ghosts);
+}
+
+
+void Foam::wallSurface::collect
+(
+    const UList<face>& faces,
+    const UList<point>& points,
+    const ghostExchange& ghosts
+)
+{
     // Triangles as three points each
     DynamicList<point> corners;
 
-    for (const polyPatch& pp : mesh.boundaryMesh())
+    for (const face& f : faces)
     {
-        if (!isA<wallPolyPatch>(pp))
+        const point centre(f.centre(points));
+        forAll(f, k)
         {
-            continue;
-        }
-        for (const face& f : pp.localFaces())
-        {
-            const pointField& points = pp.localPoints();
-            const point centre(f.centre(points));
-            forAll(f, k)
-            {
-                corners.append(points[f[k]]);
-                corners.append(points[f.nextLabel(k)]);
-                corners.append(centre);
-            }
+            corners.append(points[f[k]]);
+            corners.append(points[f.nextLabel(k)]);
+            corners.append(centre);
         }
     }
 
@@ -209,6 +231,74 @@ Foam::scalar Foam::wallSurface::distance
     }
     const pointIndexHit hit(search_->tree().findNearest(x, sqr(limit)));
     return hit.hit() ? mag(hit.rawPoint() - x) : limit;
+}
+
+
+bool Foam::wallSurface::nearest
+(
+    const point& x,
+    const scalar limit,
+    scalar& height,
+    vector& away
+) const
+{
+    if (empty())
+    {
+        return false;
+    }
+    const pointIndexHit hit(search_->tree().findNearest(x, sqr(limit)));
+    if (!hit.hit())
+    {
+        return false;
+    }
+    const vector d(x - hit.rawPoint());
+    const scalar distance = mag(d);
+
+    // On an edge, the triangle whose plane is farthest from the point decides
+    // which side of the wall this is
+    const scalar small = 1e-6*limit;
+    scalar side = 0;
+    vector inwards(Zero);
+    const labelList near
+    (
+        search_->tree().findBox
+        (
+            treeBoundBox
+            (
+                hit.rawPoint() - small*vector::one,
+                hit.rawPoint() + small*vector::one
+            )
+        )
+    );
+    for (const label t : near)
+    {
+        const labelledTri& corner = (*surface_)[t];
+        const pointField& points = surface_->points();
+        const triPointRef triangle
+        (
+            points[corner[0]], points[corner[1]], points[corner[2]]
+        );
+        const vector area(triangle.areaNormal());
+        if
+        (
+            mag(area) > VSMALL
+         && mag(triangle.nearestPoint(hit.rawPoint()).distance()) <= small
+        )
+        {
+            const vector n(-area/mag(area));
+            const scalar h = d & n;
+            if (mag(h) >= mag(side)*(1 - SMALL))
+            {
+                side = h;
+                inwards = n;
+            }
+        }
+    }
+    height = side < 0 ? -distance : distance;
+    away =
+        distance > 1e-3*small ? d*sign(height)/distance
+      : inwards;
+    return true;
 }
 
 

@@ -1,0 +1,359 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpPacking.H"
+#include "bondFrame.H"
+#include "sphereGrid.H"
+#include "mathematicalConstants.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Clearance beyond the least gap, relative to the sum of the radii
+const scalar clearance = 0.02;
+
+//- Largest displacement in a step, in radii of the smallest sphere
+const scalar maxStep = 0.1;
+
+//- Deepest overlap with which the clumps grow on, in radii
+const scalar growOverlap = 0.05;
+
+}
+
+
+Foam::clumpPacking::clumpPacking
+(
+    packingRegion& region,
+    const PtrList<clumpType>& types,
+    Cloud<clumpParcel>& clumps,
+    const scalar gap,
+    const bool turns
+)
+:
+    region_(region),
+    types_(types),
+    clumps_(clumps),
+    nClumps_(returnReduce(clumps.size(), sumOp<label>())),
+    gap_(gap),
+    turns_(turns),
+    bodies_(types.size()),
+    scale_(1),
+    ghosts_(region.mesh()),
+    nSteps_(0)
+{}
+
+
+void Foam::clumpPacking::setBodies(const bool whole)
+{
+    forAll(types_, i)
+    {
+        bodies_[i].x = whole ? pointField(1, Zero) : types_[i].centres();
+        bodies_[i].r =
+            whole ? scalarField(1, types_[i].reach()) : types_[i].radii();
+    }
+}
+
+
+Foam::scalar Foam::clumpPacking::startScale() const
+{
+    scalar sum = 0;
+    for (const clumpParcel& p : clumps_)
+    {
+        sum += pow3(types_[p.typeId()].reach());
+    }
+    reduce(sum, sumOp<scalar>());
+    const scalar filled = constant::mathematical::pi*4/3*sum/region_.volume();
+    return min(scalar(1), Foam::cbrt(0.2/filled));
+}
+
+
+void Foam::clumpPacking::setImages()
+{
+    UList<clumpImage>& images = ghosts_.own(clumps_.size());
+    label index = 0;
+    for (const clumpParcel& p : clumps_)
+    {
+        const body& b = bodies_[p.typeId()];
+        const point centre(p.position() + p.state().x[0]);
+        const tensor R(p.state().q[0].R());
+
+        clumpImage& image = images[index];
+        image.owner = Pstream::myProcNo();
+        image.index = index;
+        image.original = true;
+        image.typeId = p.typeId();
+        image.shift = Zero;
+        image.x.setSize(b.x.size());
+        image.u.setSize(1);
+        image.u[0] = centre;
+        image.omega.clear();
+        image.box = boundBox::invertedBox;
+        forAll(b.x, i)
+        {
+            image.x[i] = centre + scale_*(R & b.x[i]);
+            const scalar r = 0.5*gap_ + (1 + clearance)*scale_*b.r[i];
+            image.box.add(image.x[i] - r*vector::one);
+            image.box.add(image.x[i] + r*vector::one);
+        }
+        image.reach = max
+        (
+            cmptMax(image.box.max() - p.position()),
+            cmptMax(p.position() - image.box.min())
+        );
+        ++index;
+    }
+    const label before = ghosts_.neighbourhood();
+    ghosts_.update();
+    if (ghosts_.neighbourhood() != before)
+    {
+        region_.update(ghosts_);
+    }
+}
+
+
+void Foam::clumpPacking::addClumps()
+{
+    const auto& images = ghosts_.images();
+    sphereGrid::forEachNear
+    (
+        images, ghosts_.nOwn(), scalarField(ghosts_.nOwn(), Zero),
+        [&](const label a, const label b)
+        {
+            const clumpImage& A = images[a];
+            const clumpImage& B = images[b];
+            const body& bodyA = bodies_[A.typeId];
+            const body& bodyB = bodies_[B.typeId];
+            const point& centre = A.u[0];
+            const scalar reach = types_[A.typeId].reach();
+
+            forAll(A.x, i)
+            {
+                forAll(B.x, j)
+                {
+                    const scalar rSum = scale_*(bodyA.r[i] + bodyB.r[j]);
+                    const scalar target = (1 + clearance)*rSum + gap_;
+                    const vector d(A.x[i] - B.x[j]);
+                    if (magSqr(d) >= sqr(target))
+                    {
+                        continue;
+                    }
+                    const scalar distance = mag(d);
+                    const vector n
+                    (
+                        distance > SMALL*rSum ? d/distance : vector(1, 0, 0)
+                    );
+                    const scalar smaller =
+                        scale_*min(bodyA.r[i], bodyB.r[j]);
+                    contacts_[a].deepest = max
+                    (
+                        contacts_[a].deepest, (rSum + gap_ - distance)/smaller
+                    );
+                    contacts_[a].add
+                    (
+                        n, A.x[i] - centre, reach, target - distance, 2
+                    );
+                }
+            }
+        }
+    );
+}
+
+
+void Foam::clumpPacking::addSurface()
+{
+    const auto& images = ghosts_.images();
+    for (label a = 0; a < ghosts_.nOwn(); ++a)
+    {
+        const clumpImage& A = images[a];
+        const body& bodyA = bodies_[A.typeId];
+        const point& centre = A.u[0];
+        const scalar reach = types_[A.typeId].reach();
+
+        bool near = false;
+        region_.forEachSurface
+        (
+            centre, 1.05*scale_*reach + gap_,
+            [&](const scalar, const vector&) { near = true; }
+        );
+        if (!near)
+        {
+            continue;
+        }
+        forAll(A.x, i)
+        {
+            const scalar r = scale_*bodyA.r[i];
+            const scalar target = (1 + clearance)*r + gap_;
+            region_.forEachSurface
+            (
+                A.x[i], 2*target,
+                [&](const scalar height, const vector& away)
+                {
+                    if (height < target)
+                    {
+                        contacts_[a].deepest = max
+                        (
+                            contacts_[a].deepest, (r + gap_ - height)/r
+                        );
+                        contacts_[a].add
+                        (
+                            away, A.x[i] - centre, reach, target - height, 1
+                        );
+                    }
+                }
+            );
+        }
+    }
+}
+
+
+void Foam::clumpPacking::move(clumpParcel& p, const contacts& sum)
+{
+    const clumpType& type = types_[p.typeId()];
+    clumpState& s = p.state();
+
+    vector6 y = vector6::Zero();
+    if (sum.g.squaredNorm() > 0)
+    {
+        matrix6 H = sum.H;
+        H.diagonal().array() += 0.02*H.trace()/6;
+        y = H.selfadjointView<Eigen::Lower>().ldlt().solve(sum.g);
+    }
+
+    // The last step goes on while it points the same way
+    vector6 last;
+    last << s.u[0].x(), s.u[0].y(), s.u[0].z(),
+        s.w[0].x(), s.w[0].y(), s.w[0].z();
+    if (last.dot(y) > 0)
+    {
+        y += 0.8*last;
+    }
+    if (!turns_)
+    {
+        y.tail<3>().setZero();
+    }
+    const scalar size = y.head<3>().norm() + y.tail<3>().norm();
+    const scalar limit = maxStep*scale_*min(type.radii());
+    if (size > limit)
+    {
+        y *= limit/size;
+    }
+    s.u[0] = vector(y[0], y[1], y[2]);
+    s.w[0] = vector(y[3], y[4], y[5]);
+    s.q[0] = rotation(s.w[0]/type.reach())*s.q[0];
+    s.q[0].normalize();
+    s.x += s.u[0];
+}
+
+
+void Foam::clumpPacking::track()
+{
+    for (clumpParcel& p : clumps_)
+    {
+        p.recentre(types_[p.typeId()]);
+    }
+    clumpParcel::trackingData td(clumps_);
+    clumps_.move(clumps_, td, 1);
+}
+
+
+Foam::scalar Foam::clumpPacking::findContacts()
+{
+    setImages();
+    contacts_.setSize(clumps_.size());
+    contacts_ = contacts();
+    addClumps();
+    addSurface();
+
+    scalar deepest = 0;
+    for (const contacts& c : contacts_)
+    {
+        deepest = max(deepest, c.deepest);
+    }
+    return returnReduce(deepest, maxOp<scalar>());
+}
+
+
+void Foam::clumpPacking::moveAll()
+{
+    label index = 0;
+    for (clumpParcel& p : clumps_)
+    {
+        move(p, contacts_[index++]);
+    }
+    if (++nSteps_ % 5 == 0)
+    {
+        track();
+    }
+}
+
+
+Foam::scalar Foam::clumpPacking::pack
+(
+    const scalar maxOverlap,
+    scalar& deepest
+)
+{
+    // The first sphere of each clump alone counts here
+    for (clumpParcel& p : clumps_)
+    {
+        p.state().x = Zero;
+        p.state().u = Zero;
+        p.state().w = Zero;
+    }
+
+    setBodies(true);
+    scale_ = startScale();
+    while (nSteps_ < 300 && findContacts() > growOverlap)
+    {
+        moveAll();
+    }
+
+    setBodies(false);
+    scalar reached = 0;
+    label sinceGrowth = 0;
+    while (reached < 1 && ++sinceGrowth < 2000)
+    {
+        deepest = findContacts();
+        if (deepest <= (scale_ < 1 ? growOverlap : maxOverlap))
+        {
+            reached = scale_;
+            scale_ = min(scalar(1), scale_ + 0.003);
+            sinceGrowth = 0;
+        }
+        if (reached < 1)
+        {
+            moveAll();
+        }
+        if (nSteps_ % 100 == 0)
+        {
+            Info<< "    step " << nSteps_ << ": " << 100*scale_
+                << " % of the size, deepest overlap " << deepest
+                << " radii" << endl;
+        }
+    }
+    finish();
+    return reached;
+}
+
+
+void Foam::clumpPacking::finish()
+{
+    track();
+    for (clumpParcel& p : clumps_)
+    {
+        const vector offset(p.state().x[0]);
+        p.state() = clumpState(types_[p.typeId()], p.state().q[0]);
+        p.state().x += offset;
+    }
+    const label n = returnReduce(clumps_.size(), sumOp<label>());
+    if (n != nClumps_)
+    {
+        FatalErrorInFunction
+            << nClumps_ - n << " of " << nClumps_ << " clumps left the mesh"
+            << " while they were packed." << exit(FatalError);
+    }
+}

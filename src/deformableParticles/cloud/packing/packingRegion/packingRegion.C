@@ -1,0 +1,301 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "packingRegion.H"
+#include "checkedEntries.H"
+#include "ListOps.H"
+#include "plane.H"
+#include "polyMeshTetDecomposition.H"
+#include "syncTools.H"
+#include "FlatOutput.H"
+#include <algorithm>
+
+namespace
+{
+
+using namespace Foam;
+
+//- Volume [m3] of a tetrahedron on the positive side of the planes from one on
+scalar volumeWithin
+(
+    const FixedList<point, 4>& tet,
+    const UList<plane>& planes,
+    const label from = 0
+)
+{
+    // The pieces of a tetrahedron that a plane cuts off
+    struct pieces
+    {
+        DynamicList<FixedList<point, 4>> tets;
+
+        void operator()(const tetPoints& t)
+        {
+            tets.append(FixedList<point, 4>{t[0], t[1], t[2], t[3]});
+        }
+    };
+
+    if (from == planes.size())
+    {
+        return mag(tetPointRef(tet[0], tet[1], tet[2], tet[3]).mag());
+    }
+    const plane& cut = planes[from];
+    label above = 0;
+    for (const point& p : tet)
+    {
+        above += ((p - cut.origin()) & cut.normal()) >= 0;
+    }
+    if (!above)
+    {
+        return 0;
+    }
+    if (above == 4)
+    {
+        return volumeWithin(tet, planes, from + 1);
+    }
+    pieces in, out;
+    tetPointRef(tet[0], tet[1], tet[2], tet[3]).sliceWithPlane(cut, in, out);
+    scalar sum = 0;
+    for (const auto& piece : in.tets)
+    {
+        sum += volumeWithin(piece, planes, from + 1);
+    }
+    return sum;
+}
+
+}
+
+
+Foam::packingRegion::packingRegion
+(
+    const dictionary& dict,
+    const polyMesh& mesh
+)
+:
+    mesh_(mesh),
+    box_(-GREAT*vector::one, GREAT*vector::one),
+    volumes_(mesh.nCells()),
+    before_(0),
+    volume_(0)
+{
+    readBox(dict);
+    const boolList in(inZone(dict));
+    findFaces(in);
+    findVolumes(dict, in);
+}
+
+
+void Foam::packingRegion::readBox(const dictionary& dict)
+{
+    if (!dict.found("min") && !dict.found("max"))
+    {
+        return;
+    }
+    const boundBox given
+    (
+        getFinite<point>(dict, "min"), getFinite<point>(dict, "max")
+    );
+    if (cmptMin(given.span()) <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'max' is " << given.max() << "; it must be above min, "
+            << given.min() << exit(FatalIOError);
+    }
+    const boundBox& whole = mesh_.bounds();
+    const scalar small = 1e-6*whole.mag();
+    boundBox allowed(whole);
+    allowed.inflate(1e-6);
+    if (!allowed.contains(given))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The box from 'min' " << given.min() << " to 'max' " << given.max()
+            << " extends outside the mesh, which reaches from " << whole.min()
+            << " to " << whole.max() << '.' << exit(FatalIOError);
+    }
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        if (given.min()[d] > whole.min()[d] + small)
+        {
+            box_.min()[d] = given.min()[d];
+        }
+        if (given.max()[d] < whole.max()[d] - small)
+        {
+            box_.max()[d] = given.max()[d];
+        }
+    }
+}
+
+
+Foam::boolList Foam::packingRegion::inZone(const dictionary& dict) const
+{
+    if (!dict.found("cellZone"))
+    {
+        return boolList(mesh_.nCells(), true);
+    }
+    const word name(dict.get<word>("cellZone"));
+    const label zonei = mesh_.cellZones().findZoneID(name);
+    if (zonei < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'cellZone' is " << name << ", but the mesh has no such"
+            << " zone. Valid names: " << flatOutput(mesh_.cellZones().names())
+            << exit(FatalIOError);
+    }
+    boolList in(mesh_.nCells(), false);
+    for (const label celli : mesh_.cellZones()[zonei])
+    {
+        in[celli] = true;
+    }
+    return in;
+}
+
+
+void Foam::packingRegion::findFaces(const boolList& in)
+{
+    boolList other;
+    syncTools::swapBoundaryCellList(mesh_, in, other);
+
+    const labelList& owner = mesh_.faceOwner();
+    const labelList& neighbour = mesh_.faceNeighbour();
+    for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
+    {
+        const face& f = mesh_.faces()[facei];
+        if (in[owner[facei]] != in[neighbour[facei]])
+        {
+            faces_.append(in[owner[facei]] ? f : f.reverseFace());
+        }
+    }
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        forAll(pp, i)
+        {
+            const label facei = pp.start() + i;
+            if
+            (
+                in[owner[facei]]
+             && !(pp.coupled() && other[facei - mesh_.nInternalFaces()])
+            )
+            {
+                faces_.append(pp[i]);
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::packingRegion::volumeInBox(const label celli) const
+{
+    const boundBox bounds(mesh_.cells()[celli].points(mesh_.faces(), mesh_.points()));
+    DynamicList<plane> cuts;
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        vector inwards(Zero);
+        inwards[d] = 1;
+        if (bounds.max()[d] <= box_.min()[d] || bounds.min()[d] >= box_.max()[d])
+        {
+            return 0;
+        }
+        if (bounds.min()[d] < box_.min()[d])
+        {
+            cuts.append(plane(box_.min()[d]*inwards, inwards));
+        }
+        if (bounds.max()[d] > box_.max()[d])
+        {
+            cuts.append(plane(box_.max()[d]*inwards, -inwards));
+        }
+    }
+    if (cuts.empty())
+    {
+        return mesh_.cellVolumes()[celli];
+    }
+    scalar sum = 0;
+    for (const tetIndices& t : polyMeshTetDecomposition::cellTetIndices(mesh_, celli))
+    {
+        const tetPointRef tet(t.tet(mesh_));
+        sum += volumeWithin({tet.a(), tet.b(), tet.c(), tet.d()}, cuts);
+    }
+    return sum;
+}
+
+
+void Foam::packingRegion::findVolumes
+(
+    const dictionary& dict,
+    const boolList& in
+)
+{
+    scalar sum = 0;
+    forAll(volumes_, celli)
+    {
+        sum += in[celli] ? volumeInBox(celli) : scalar(0);
+        volumes_[celli] = sum;
+    }
+
+    scalarList all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = sum;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    forAll(all, proci)
+    {
+        before_ += proci < Pstream::myProcNo() ? all[proci] : scalar(0);
+        volume_ += all[proci];
+    }
+    if (volume_ <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No part of the mesh lies in the box or the cellZone."
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::label Foam::packingRegion::cell(const scalar share) const
+{
+    const scalar at = share*volume_ - before_;
+    if (volumes_.empty() || at < 0 || at >= volumes_.last())
+    {
+        return -1;
+    }
+    return
+        std::upper_bound(volumes_.begin(), volumes_.end(), at)
+      - volumes_.begin();
+}
+
+
+Foam::point Foam::packingRegion::randomPoint
+(
+    const label celli,
+    Random& random
+) const
+{
+    const List<tetIndices> tets
+    (
+        polyMeshTetDecomposition::cellTetIndices(mesh_, celli)
+    );
+    const point centre(mesh_.cellCentres()[celli]);
+    point p(centre);
+    for (label tries = 0; tries < 1000; ++tries)
+    {
+        scalar at = random.sample01<scalar>()*mesh_.cellVolumes()[celli];
+        label t = 0;
+        while (t < tets.size() - 1 && (at -= mag(tets[t].tet(mesh_).mag())) > 0)
+        {
+            ++t;
+        }
+        p = tets[t].tet(mesh_).randomPoint(random);
+        if (box_.contains(p))
+        {
+            break;
+        }
+    }
+
+    // Off the faces of the mesh cell, where the point could belong to another
+    return centre + (1 - 1e-6)*(p - centre);
+}
+
+
+void Foam::packingRegion::update(const ghostExchange& ghosts)
+{
+    surface_.reset(new wallSurface(faces_, mesh_.points(), ghosts));
+}

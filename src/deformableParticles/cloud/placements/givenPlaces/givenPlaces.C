@@ -1,0 +1,63 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "givenPlaces.H"
+#include "treeDataCell.H"
+
+void Foam::givenPlaces::place
+(
+    const polyMesh& mesh,
+    Cloud<clumpParcel>& clumps,
+    labelHashSet& followFlow
+) const
+{
+    // Bounds of the processors' cell trees are built together
+    mesh.cellTree();
+    const boundBox mine(mesh.points(), false);
+
+    // On a boundary between processors the first one takes the clump
+    labelList owners(size(), labelMax);
+    DynamicList<labelPair> here;
+    forAll(owners, k)
+    {
+        const point x(position(k));
+        const label celli = mine.contains(x) ? mesh.findCell(x) : -1;
+        if (celli >= 0)
+        {
+            owners[k] = Pstream::myProcNo();
+            here.append(labelPair(k, celli));
+        }
+    }
+    Pstream::listCombineGather(owners, minEqOp<label>());
+    Pstream::listCombineScatter(owners);
+
+    const label outside = owners.find(labelMax);
+    if (outside >= 0)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'position': clump " << outside << " of type "
+            << types_[typeId(outside)].name() << " at " << position(outside)
+            << " lies outside the mesh." << exit(FatalIOError);
+    }
+
+    for (const labelPair& at : here)
+    {
+        const label k = at.first();
+        if (owners[k] == Pstream::myProcNo())
+        {
+            auto* p = new clumpParcel
+            (
+                mesh, position(k), at.second(), typeId(k), state(k)
+            );
+            p->origProc() = 0;
+            p->origId() = k;
+            clumps.addParticle(p);
+            if (followsFlow(k))
+            {
+                followFlow.insert(k);
+            }
+        }
+    }
+}

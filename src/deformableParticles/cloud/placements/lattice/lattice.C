@@ -1,0 +1,55 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "lattice.H"
+
+namespace Foam
+{
+namespace clumpPlacements
+{
+    defineTypeNameAndDebug(lattice, 0);
+    addToRunTimeSelectionTable(placement, lattice, dictionary);
+}
+}
+
+
+Foam::clumpPlacements::lattice::lattice
+(
+    const dictionary& dict,
+    const PtrList<clumpType>& types,
+    const HashTable<label>& typeIds
+)
+:
+    givenPlaces(dict, types, typeIds),
+    typeId_(placement::typeId(dict, dict.get<word>("clumpType"))),
+    origin_(getFinite<point>(dict, "origin")),
+    spacing_(getFinite<vector>(dict, "spacing")),
+    number_(dict.get<labelVector>("number"))
+{
+    checkEntries(dict, {"type", "clumpType", "origin", "spacing", "number"});
+
+    if (cmptMin(number_) < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'number' is " << number_ << "; every component must be"
+            << " above 0." << exit(FatalIOError);
+    }
+    checkNumber
+    (
+        dict, "number", scalar(number_.x())*number_.y()*number_.z()
+    );
+}
+
+
+Foam::point Foam::clumpPlacements::lattice::position(const label k) const
+{
+    const vector i
+    (
+        k % number_.x(),
+        (k/number_.x()) % number_.y(),
+        k/(number_.x()*number_.y())
+    );
+    return origin_ + cmptMultiply(i, spacing_);
+}

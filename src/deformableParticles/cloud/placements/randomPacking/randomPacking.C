@@ -1,0 +1,224 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "randomPacking.H"
+#include "clumpPacking.H"
+#include "givenRotation.H"
+#include "treeDataCell.H"
+#include <cmath>
+
+namespace Foam
+{
+namespace clumpPlacements
+{
+    defineTypeNameAndDebug(randomPacking, 0);
+    addToRunTimeSelectionTable(placement, randomPacking, dictionary);
+}
+}
+
+
+namespace
+{
+
+using namespace Foam;
+
+//- Fatal unless exactly one of some entries is there
+void wantOne(const dictionary& dict, const wordList& entries)
+{
+    label n = 0;
+    for (const word& entry : entries)
+    {
+        n += dict.found(entry);
+    }
+    if (n != 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give exactly one of the entries " << flatOutput(entries)
+            << "; there are " << n << '.' << exit(FatalIOError);
+    }
+}
+
+//- Uniform over all rotations: a normalised Gaussian quaternion
+quaternion randomTurn(Random& random)
+{
+    const scalar w = random.GaussNormal<scalar>();
+    const scalar x = random.GaussNormal<scalar>();
+    const scalar y = random.GaussNormal<scalar>();
+    const scalar z = random.GaussNormal<scalar>();
+    quaternion q(w, vector(x, y, z));
+    q.normalize();
+    return q;
+}
+
+}
+
+
+Foam::clumpPlacements::randomPacking::randomPacking
+(
+    const dictionary& dict,
+    const PtrList<clumpType>& types,
+    const HashTable<label>& typeIds
+)
+:
+    placement(dict, types, typeIds)
+{
+    checkEntries
+    (
+        dict,
+        {
+            "type", "clumpType", "fractions", "numbers", "haematocrit",
+            "volumeFraction", "seed", "minGap", "maxOverlap", "axis", "angle",
+            "min", "max", "cellZone"
+        }
+    );
+    wantOne(dict, {"clumpType", "fractions", "numbers"});
+    wantOne(dict, {"haematocrit", "volumeFraction", "numbers"});
+}
+
+
+Foam::scalarList Foam::clumpPlacements::randomPacking::readShares() const
+{
+    scalarList shares(types_.size(), Zero);
+    if (dict_.found("clumpType"))
+    {
+        shares[typeId(dict_, dict_.get<word>("clumpType"))] = 1;
+        return shares;
+    }
+    const bool counts = dict_.found("numbers");
+    const dictionary& given =
+        getDict(dict_, counts ? "numbers" : "fractions");
+    for (const word& name : given.toc())
+    {
+        shares[typeId(given, name)] =
+            counts
+          ? scalar(getNumber(given, name, 1, 10000000))
+          : getBetween(given, name, 0, 1);
+    }
+    if (!counts && mag(sum(shares) - 1) > 1e-6)
+    {
+        FatalIOErrorInFunction(given)
+            << "The fractions add up to " << sum(shares) << "; they must add up"
+            << " to 1." << exit(FatalIOError);
+    }
+    return shares;
+}
+
+
+Foam::labelList Foam::clumpPlacements::randomPacking::numbers
+(
+    const scalar volume
+) const
+{
+    const scalarList shares(readShares());
+    labelList result(shares.size());
+    scalar total = sum(shares);
+
+    word entry("numbers");
+    if (!dict_.found(entry))
+    {
+        const bool nominal = dict_.found("haematocrit");
+        entry = nominal ? "haematocrit" : "volumeFraction";
+        scalar mean = 0;
+        forAll(shares, i)
+        {
+            mean += shares[i]
+               *(nominal ? types_[i].nominalVolume() : types_[i].volume());
+        }
+        total = std::round(getBetween(dict_, entry, 0, 1)*volume/mean);
+    }
+    checkNumber(dict_, entry, total);
+
+    // Rounded so that the sum is the total
+    scalar upTo = 0;
+    label before = 0;
+    forAll(shares, i)
+    {
+        upTo += shares[i]/sum(shares)*total;
+        result[i] = label(std::round(upTo)) - before;
+        before += result[i];
+    }
+    return result;
+}
+
+
+void Foam::clumpPlacements::randomPacking::scatter
+(
+    const packingRegion& region,
+    const labelUList& numbers,
+    Cloud<clumpParcel>& clumps,
+    labelHashSet& followFlow
+) const
+{
+    const bool turned = dict_.found("axis") || dict_.found("angle");
+    const quaternion turn(givenRotation(dict_));
+
+    // All processors draw the same numbers; one of them has the place
+    Random common(dict_.get<label>("seed"));
+    label k = 0;
+    forAll(numbers, typei)
+    {
+        for (label n = 0; n < numbers[typei]; ++n, ++k)
+        {
+            const scalar share = common.sample01<scalar>();
+            Random random(common.position<label>(0, labelMax - 1));
+            const label celli = region.cell(share);
+            if (celli < 0)
+            {
+                continue;
+            }
+            const point position(region.randomPoint(celli, random));
+            clumpState state(types_[typei]);
+            state.q[0] = turned ? turn : randomTurn(random);
+
+            auto* p = new clumpParcel
+            (
+                region.mesh(), position, celli, typei, state
+            );
+            p->origProc() = 0;
+            p->origId() = k;
+            clumps.addParticle(p);
+            followFlow.insert(k);
+        }
+    }
+}
+
+
+void Foam::clumpPlacements::randomPacking::place
+(
+    const polyMesh& mesh,
+    Cloud<clumpParcel>& clumps,
+    labelHashSet& followFlow
+) const
+{
+    packingRegion region(dict_, mesh);
+    const labelList wanted(numbers(region.volume()));
+    scatter(region, wanted, clumps, followFlow);
+
+    Info<< "Packing " << sum(wanted) << " clumps" << endl;
+    const scalar maxOverlap =
+        getNonNegativeOrDefault(dict_, "maxOverlap", 0);
+    clumpPacking packing
+    (
+        region, types_, clumps,
+        getNonNegativeOrDefault(dict_, "minGap", 0),
+        !dict_.found("axis")
+    );
+    scalar deepest = 0;
+    const scalar reached = packing.pack(maxOverlap, deepest);
+    if (reached < 1)
+    {
+        const scalar fraction =
+            fractions(types_, wanted, region.volume()).second();
+        FatalIOErrorInFunction(dict_)
+            << "The clumps do not fit: " << sum(wanted) << " clumps, a volume"
+            << " fraction of " << fraction << ", could only be packed at "
+            << 100*reached << " % of their size. This corresponds to a volume"
+            << " fraction of " << pow3(reached)*fraction << '.' << nl
+            << "    Place fewer clumps, reduce minGap or try another seed."
+            << exit(FatalIOError);
+    }
+    Info<< "Packed in " << packing.nSteps() << " steps, deepest overlap "
+        << 100*deepest << " % of a sphere radius" << endl;
+}

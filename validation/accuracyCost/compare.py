@@ -95,10 +95,11 @@ for axis, scene in zip(axes.flat, title):
     axis.plot([p[0] for p in best], [factor*p[1] for p in best], "k--", lw=1, label="Pareto front")
     for cost, error, knob, setting in points[scene]:
         if knob in ("level", "paper"):
-            axis.plot(cost, factor*error, "*" if knob == "level" else "X", color="r", ms=13, zorder=5)
+            axis.plot(cost, factor*error, "*" if knob == "level" else "X", color="r", ms=13,
+                      zorder=5)
             paper = knob == "paper"
-            axis.annotate("the paper's choice" if paper else setting, (cost, factor*error), fontsize=9,
-                          color="r",
+            axis.annotate("the paper's choice" if paper else setting, (cost, factor*error),
+                          fontsize=9, color="r",
                           ha="right" if paper else "left", xytext=(-10, -4) if paper else (6, -11),
                           textcoords="offset points")
     axis.set_xscale("log")

@@ -147,8 +147,7 @@ void Foam::clumpPlacements::randomPacking::scatter
 (
     const packingRegion& region,
     const labelUList& numbers,
-    Cloud<clumpParcel>& clumps,
-    labelHashSet& followFlow
+    Cloud<clumpParcel>& clumps
 ) const
 {
     const bool turned = dict_.found("axis") || dict_.found("angle");
@@ -179,7 +178,6 @@ void Foam::clumpPlacements::randomPacking::scatter
             p->origProc() = 0;
             p->origId() = k;
             clumps.addParticle(p);
-            followFlow.insert(k);
         }
     }
 }
@@ -194,7 +192,7 @@ void Foam::clumpPlacements::randomPacking::place
 {
     packingRegion region(dict_, mesh);
     const labelList wanted(numbers(region.volume()));
-    scatter(region, wanted, clumps, followFlow);
+    scatter(region, wanted, clumps);
 
     Info<< "Packing " << sum(wanted) << " clumps" << endl;
     const scalar maxOverlap =
@@ -216,8 +214,14 @@ void Foam::clumpPlacements::randomPacking::place
             << " fraction of " << fraction << ", could only be packed at "
             << 100*reached << " % of their size. This corresponds to a volume"
             << " fraction of " << pow3(reached)*fraction << '.' << nl
-            << "    Place fewer clumps, reduce minGap or try another seed."
+            << "    Place fewer clumps, reduce minGap, allow a maxOverlap (the"
+            << " deepest is " << deepest << ")," << nl
+            << "    or try another seed."
             << exit(FatalIOError);
+    }
+    for (const clumpParcel& p : clumps)
+    {
+        followFlow.insert(p.origId());
     }
     Info<< "Packed in " << packing.nSteps() << " steps, deepest overlap "
         << 100*deepest << " % of a sphere radius" << endl;

@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "randomPacking.H"
+#include "random.H"
 #include "clumpPacking.H"
 #include "givenRotation.H"
 #include "treeDataCell.H"
@@ -13,8 +13,8 @@ namespace Foam
 {
 namespace clumpPlacements
 {
-    defineTypeNameAndDebug(randomPacking, 0);
-    addToRunTimeSelectionTable(placement, randomPacking, dictionary);
+    defineTypeNameAndDebug(random, 0);
+    addToRunTimeSelectionTable(placement, random, dictionary);
 }
 }
 
@@ -55,7 +55,7 @@ quaternion randomTurn(Random& random)
 }
 
 
-Foam::clumpPlacements::randomPacking::randomPacking
+Foam::clumpPlacements::random::random
 (
     const dictionary& dict,
     const PtrList<clumpType>& types,
@@ -70,7 +70,7 @@ Foam::clumpPlacements::randomPacking::randomPacking
         {
             "type", "clumpType", "fractions", "numbers", "haematocrit",
             "volumeFraction", "seed", "minGap", "maxOverlap", "axis", "angle",
-            "min", "max", "cellZone", "periodic"
+            "min", "max", "cellZone"
         }
     );
     wantOne(dict, {"clumpType", "fractions", "numbers"});
@@ -78,7 +78,7 @@ Foam::clumpPlacements::randomPacking::randomPacking
 }
 
 
-Foam::scalarList Foam::clumpPlacements::randomPacking::readShares() const
+Foam::scalarList Foam::clumpPlacements::random::readShares() const
 {
     scalarList shares(types_.size(), Zero);
     if (dict_.found("clumpType"))
@@ -106,7 +106,7 @@ Foam::scalarList Foam::clumpPlacements::randomPacking::readShares() const
 }
 
 
-Foam::labelList Foam::clumpPlacements::randomPacking::numbers
+Foam::labelList Foam::clumpPlacements::random::numbers
 (
     const scalar volume
 ) const
@@ -143,7 +143,7 @@ Foam::labelList Foam::clumpPlacements::randomPacking::numbers
 }
 
 
-void Foam::clumpPlacements::randomPacking::scatter
+void Foam::clumpPlacements::random::scatter
 (
     const packingRegion& region,
     const labelUList& numbers,
@@ -161,15 +161,15 @@ void Foam::clumpPlacements::randomPacking::scatter
         for (label n = 0; n < numbers[typei]; ++n, ++k)
         {
             const scalar share = common.sample01<scalar>();
-            Random random(common.position<label>(0, labelMax - 1));
+            Random own(common.position<label>(0, labelMax - 1));
             const label celli = region.cell(share);
             if (celli < 0)
             {
                 continue;
             }
-            const point position(region.randomPoint(celli, random));
+            const point position(region.randomPoint(celli, own));
             clumpState state(types_[typei]);
-            state.q[0] = turned ? turn : randomTurn(random);
+            state.q[0] = turned ? turn : randomTurn(own);
 
             auto* p = new clumpParcel
             (
@@ -183,7 +183,7 @@ void Foam::clumpPlacements::randomPacking::scatter
 }
 
 
-void Foam::clumpPlacements::randomPacking::place
+void Foam::clumpPlacements::random::place
 (
     const polyMesh& mesh,
     Cloud<clumpParcel>& clumps,

@@ -244,7 +244,7 @@ TEST_CASE("placement: a box within the mesh, and one orientation", "[placement]"
 {
     const placedClumps packed
     (
-        "type random; numbers { healthy 9; } seed 1; axis (1 0 0); angle 90;"
+        "type random; numbers { healthy 5; } seed 1; axis (1 0 0); angle 90;"
         "min (0 3e-6 2e-6); max (2e-5 17e-6 12e-6);"
     );
     const boundBox box(packed.box());

@@ -5,16 +5,12 @@
 
 #include "deformableCloud.H"
 #include "nearestCentres.H"
+#include "PstreamBuffers.H"
 
 Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
 {
-    // Of the clumps of all processors
-    List<pointField> centres(Pstream::nProcs());
-    List<vectorField> displacements(Pstream::nProcs());
-    pointField& from = centres[Pstream::myProcNo()];
-    vectorField& by = displacements[Pstream::myProcNo()];
-    from.setSize(size());
-    by.setSize(size());
+    pointField from(size());
+    vectorField by(size());
     scalar reach = 0;
     label index = 0;
     for (const clumpParcel& p : *this)
@@ -23,24 +19,52 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
         const pointField& x = ghosts_.images()[index].x;
         from[index] = sum(ct.masses()*x)/sum(ct.masses());
         by[index] = p.centre(ct) - from[index];
-        reach = max(reach, 6*ct.reach());
         ++index;
     }
-    reduce(reach, maxOp<scalar>());
-    Pstream::gatherList(centres);
-    Pstream::scatterList(centres);
-    Pstream::gatherList(displacements);
-    Pstream::scatterList(displacements);
+    for (const clumpType& ct : types_)
+    {
+        reach = max(reach, 6*ct.reach());
+    }
 
-    // And of their periodic images
+    // To every processor the clumps and periodic images within reach of its box
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    for (label proci = 0; proci < Pstream::nProcs(); ++proci)
+    {
+        boundBox box(ghosts_.box(proci));
+        box.min() -= reach*vector::one;
+        box.max() += reach*vector::one;
+
+        DynamicList<point> images;
+        DynamicList<vector> ofImages;
+        for (const vector& shift : ghosts_.shifts())
+        {
+            forAll(from, k)
+            {
+                if (box.contains(from[k] + shift))
+                {
+                    images.append(from[k] + shift);
+                    ofImages.append(by[k]);
+                }
+            }
+        }
+        if (images.size())
+        {
+            UOPstream os(proci, buffers);
+            os << pointField(images) << vectorField(ofImages);
+        }
+    }
+    labelList sizes;
+    buffers.finishedSends(sizes);
+
     DynamicList<point> images;
     DynamicList<vector> ofImages;
-    for (const vector& shift : ghosts_.shifts())
+    forAll(sizes, proci)
     {
-        forAll(centres, proci)
+        if (sizes[proci])
         {
-            images.append(pointField(centres[proci] + shift));
-            ofImages.append(displacements[proci]);
+            UIPstream is(proci, buffers);
+            images.append(pointField(is));
+            ofImages.append(vectorField(is));
         }
     }
 

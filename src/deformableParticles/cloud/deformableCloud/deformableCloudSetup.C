@@ -280,6 +280,11 @@ void Foam::deformableCloud::reportFractions() const
     (
         placement::fractions(types_, numbers, gSum(mesh_.V()))
     );
+    forAll(types_, i)
+    {
+        Info<< "    " << types_[i].name() << ": " << numbers[i] << " clumps"
+            << nl;
+    }
     Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
         << ", volume fraction of the clumps "
         << Foam::name(fractions.second()).c_str() << endl;

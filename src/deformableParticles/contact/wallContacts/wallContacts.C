@@ -84,7 +84,7 @@ void Foam::wallContacts::measureGap(const Cloud<clumpParcel>& clumps)
         forAll(centres, i)
         {
             const scalar r = type.radii()[i];
-            gap_ = min(gap_, walls_->distance(centres[i], 100*r) - r);
+            gap_ = min(gap_, walls_->distance(centres[i], 20*r) - r);
             radius_ = max(radius_, r);
         }
     }
@@ -95,7 +95,7 @@ void Foam::wallContacts::measureGap(const Cloud<clumpParcel>& clumps)
 
 Foam::string Foam::wallContacts::gap() const
 {
-    if (gap_ > 98*radius_)
+    if (gap_ > 18*radius_)
     {
         return "no wall is near";
     }

@@ -172,26 +172,47 @@ void Foam::wallSurface::collect
         }
     }
 
-    // All neighbours' walls; the octree leaves the far ones out of every search
-    const List<point> own(corners);
+    // What a clump on another processor, or behind a periodic boundary, may feel
+    const auto around = [&](const label proci)
+    {
+        DynamicList<point> found;
+        const scalar width = 20*ghosts.reach();
+        boundBox box(ghosts.box(proci));
+        box.min() -= width*vector::one;
+        box.max() += width*vector::one;
+        forAll(ghosts.shifts(), s)
+        {
+            if (proci == Pstream::myProcNo() && s == 0)
+            {
+                continue;
+            }
+            for (label t = 0; t < corners.size(); t += 3)
+            {
+                const vector& shift = ghosts.shifts()[s];
+                const point a(corners[t] + shift);
+                const point b(corners[t + 1] + shift);
+                const point c(corners[t + 2] + shift);
+                if (box.overlaps(boundBox(min(a, min(b, c)), max(a, max(b, c)))))
+                {
+                    found.append(a);
+                    found.append(b);
+                    found.append(c);
+                }
+            }
+        }
+        return found;
+    };
+
     for (const label proci : ghosts.neighbours())
     {
         OPstream os(Pstream::commsTypes::blocking, proci);
-        os << own;
+        os << List<point>(around(proci));
     }
+    corners.append(around(Pstream::myProcNo()));
     for (const label proci : ghosts.neighbours())
     {
         IPstream is(Pstream::commsTypes::blocking, proci);
         corners.append(List<point>(is));
-    }
-
-    const List<point> unshifted(corners);
-    for (label s = 1; s < ghosts.shifts().size(); ++s)
-    {
-        for (const point& p : unshifted)
-        {
-            corners.append(p + ghosts.shifts()[s]);
-        }
     }
 
     makeSearch(corners);

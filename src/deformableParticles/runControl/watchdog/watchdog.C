@@ -37,6 +37,10 @@ void Foam::watchdog::halve(const bool halves)
 
 void Foam::watchdog::stop(const string& what, const char* remedy)
 {
+    if (!returnReduce(what.size() > 0, orOp<bool>()))
+    {
+        return;
+    }
     List<string> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = what;
     Pstream::gatherList(all);
@@ -46,10 +50,6 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
     for (const string& s : all)
     {
         said += s;
-    }
-    if (said.empty())
-    {
-        return;
     }
 
     runTime_.writeAside("unstable");

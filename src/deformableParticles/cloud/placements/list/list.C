@@ -3,20 +3,20 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "clumpList.H"
+#include "list.H"
 #include "givenRotation.H"
 
 namespace Foam
 {
 namespace clumpPlacements
 {
-    defineTypeNameAndDebug(clumpList, 0);
-    addToRunTimeSelectionTable(placement, clumpList, dictionary);
+    defineTypeNameAndDebug(list, 0);
+    addToRunTimeSelectionTable(placement, list, dictionary);
 }
 }
 
 
-Foam::clumpPlacements::clumpList::clumpList
+Foam::clumpPlacements::list::list
 (
     const dictionary& dict,
     const PtrList<clumpType>& types,
@@ -53,7 +53,7 @@ Foam::clumpPlacements::clumpList::clumpList
 }
 
 
-Foam::clumpState Foam::clumpPlacements::clumpList::state(const label k) const
+Foam::clumpState Foam::clumpPlacements::list::state(const label k) const
 {
     const place& p = places_[k];
     clumpState s(types_[p.typeId], p.turn);

@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "randomPacking.H"
+#include "random.H"
 #include "clumpPacking.H"
 #include "givenRotation.H"
 #include "treeDataCell.H"
@@ -13,8 +13,8 @@ namespace Foam
 {
 namespace clumpPlacements
 {
-    defineTypeNameAndDebug(randomPacking, 0);
-    addToRunTimeSelectionTable(placement, randomPacking, dictionary);
+    defineTypeNameAndDebug(random, 0);
+    addToRunTimeSelectionTable(placement, random, dictionary);
 }
 }
 
@@ -55,7 +55,7 @@ quaternion randomTurn(Random& random)
 }
 
 
-Foam::clumpPlacements::randomPacking::randomPacking
+Foam::clumpPlacements::random::random
 (
     const dictionary& dict,
     const PtrList<clumpType>& types,
@@ -78,7 +78,7 @@ Foam::clumpPlacements::randomPacking::randomPacking
 }
 
 
-Foam::scalarList Foam::clumpPlacements::randomPacking::readShares() const
+Foam::scalarList Foam::clumpPlacements::random::readShares() const
 {
     scalarList shares(types_.size(), Zero);
     if (dict_.found("clumpType"))
@@ -106,7 +106,7 @@ Foam::scalarList Foam::clumpPlacements::randomPacking::readShares() const
 }
 
 
-Foam::labelList Foam::clumpPlacements::randomPacking::numbers
+Foam::labelList Foam::clumpPlacements::random::numbers
 (
     const scalar volume
 ) const
@@ -143,12 +143,11 @@ Foam::labelList Foam::clumpPlacements::randomPacking::numbers
 }
 
 
-void Foam::clumpPlacements::randomPacking::scatter
+void Foam::clumpPlacements::random::scatter
 (
     const packingRegion& region,
     const labelUList& numbers,
-    Cloud<clumpParcel>& clumps,
-    labelHashSet& followFlow
+    Cloud<clumpParcel>& clumps
 ) const
 {
     const bool turned = dict_.found("axis") || dict_.found("angle");
@@ -162,15 +161,15 @@ void Foam::clumpPlacements::randomPacking::scatter
         for (label n = 0; n < numbers[typei]; ++n, ++k)
         {
             const scalar share = common.sample01<scalar>();
-            Random random(common.position<label>(0, labelMax - 1));
+            Random own(common.position<label>(0, labelMax - 1));
             const label celli = region.cell(share);
             if (celli < 0)
             {
                 continue;
             }
-            const point position(region.randomPoint(celli, random));
+            const point position(region.randomPoint(celli, own));
             clumpState state(types_[typei]);
-            state.q[0] = turned ? turn : randomTurn(random);
+            state.q[0] = turned ? turn : randomTurn(own);
 
             auto* p = new clumpParcel
             (
@@ -179,13 +178,12 @@ void Foam::clumpPlacements::randomPacking::scatter
             p->origProc() = 0;
             p->origId() = k;
             clumps.addParticle(p);
-            followFlow.insert(k);
         }
     }
 }
 
 
-void Foam::clumpPlacements::randomPacking::place
+void Foam::clumpPlacements::random::place
 (
     const polyMesh& mesh,
     Cloud<clumpParcel>& clumps,
@@ -194,7 +192,7 @@ void Foam::clumpPlacements::randomPacking::place
 {
     packingRegion region(dict_, mesh);
     const labelList wanted(numbers(region.volume()));
-    scatter(region, wanted, clumps, followFlow);
+    scatter(region, wanted, clumps);
 
     Info<< "Packing " << sum(wanted) << " clumps" << endl;
     const scalar maxOverlap =
@@ -216,8 +214,14 @@ void Foam::clumpPlacements::randomPacking::place
             << " fraction of " << fraction << ", could only be packed at "
             << 100*reached << " % of their size. This corresponds to a volume"
             << " fraction of " << pow3(reached)*fraction << '.' << nl
-            << "    Place fewer clumps, reduce minGap or try another seed."
+            << "    Place fewer clumps, reduce minGap, allow a maxOverlap (the"
+            << " deepest is " << deepest << ")," << nl
+            << "    or try another seed."
             << exit(FatalIOError);
+    }
+    for (const clumpParcel& p : clumps)
+    {
+        followFlow.insert(p.origId());
     }
     Info<< "Packed in " << packing.nSteps() << " steps, deepest overlap "
         << 100*deepest << " % of a sphere radius" << endl;

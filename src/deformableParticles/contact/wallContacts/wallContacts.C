@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallContacts.H"
-#include "contactShares.H"
 #include "StringStream.H"
 
 Foam::wallContacts::wallContacts
@@ -105,30 +104,4 @@ Foam::string Foam::wallContacts::gap() const
     os.precision(2);
     os << "the nearest wall is " << 1e6*gap_ << " um away";
     return os.str();
-}
-
-
-void Foam::wallContacts::addForces
-(
-    const clumpParcel& p,
-    externalForces& ext
-) const
-{
-    const clumpType& type = types_[p.typeId()];
-    const scalarField& r = type.radii();
-    const clumpState& s = p.step().end;
-    const pointField x(s.x + p.position());
-
-    for (const auto& c : contactShares::ofWalls(*walls_, x, r))
-    {
-        const vector& n = c.wall.normal;
-        ext.f[c.i] += c.share*n*law_->force
-        (
-            c.depth,
-            -(s.u[c.i] & n),
-            r[c.i],
-            contactShares::mass(c.i, x, r, type.masses())
-        );
-        ext.k[c.i] += c.share*law_->stiffness(c.depth, r[c.i])*sqr(n);
-    }
 }

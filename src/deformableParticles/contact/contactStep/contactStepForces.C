@@ -234,9 +234,16 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
               ? moves[a][t.i]
               : vector(moves[a][t.i] - moves[t.slot][t.j])
             );
-            const scalar nearer = t.b < 0 ? -(t.n & dx) : mag(dx);
+            const scalar distance = t.radii - t.d;
+            const scalar nearer =
+                t.b < 0
+              ? -(t.n & dx)
+              : distance - leastDistance(distance*t.n, dx);
             const scalar allowed = 0.5*max(-t.d, scalar(0)) + 0.25*t.R;
-            part = min(part, allowed/max(nearer, allowed));
+            if (nearer > allowed)
+            {
+                part = min(part, allowed/mag(dx));
+            }
         }
     }
     return returnReduce(part, minOp<scalar>());

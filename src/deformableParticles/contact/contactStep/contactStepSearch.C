@@ -71,7 +71,7 @@ void Foam::contactStep::setSlots()
         begins_[a + 1] += begins_[a];
     }
 
-    remote_.find(ghosts_, used);
+    remote_.find(ghosts_, clumps_.size(), used);
     for (touch& t : touches_)
     {
         t.slot = t.b < 0 ? -1 : remote_.slot(t.b);

@@ -9,13 +9,14 @@
 void Foam::remoteClumps::find
 (
     const ghostExchange& ghosts,
+    const label nOwn,
     const UList<bool>& used
 )
 {
     neighbours_ = ghosts.neighbours();
     wanted_.setSize(neighbours_.size());
     nAsked_.setSize(neighbours_.size());
-    nOwn_ = ghosts.nOwn();
+    nOwn_ = nOwn;
     nSlots_ = nOwn_;
 
     const UList<clumpImage>& images = ghosts.images();

@@ -25,6 +25,7 @@ Foam::wallContacts::wallContacts
     neighbourhood_(-1),
     gap_(GREAT),
     radius_(0),
+    nearness_(0),
     clearance_(0)
 {}
 
@@ -57,12 +58,15 @@ bool Foam::wallContacts::gapMeasured
     const scalar displacement
 )
 {
+    // A step may accelerate a clump to twice its velocity
     clearance_ -= displacement;
-    if (clearance_ > 0)
+    nearness_ = max(0.5*radius_, 2*displacement);
+    if (clearance_ > nearness_ - 0.5*radius_)
     {
         return false;
     }
     measureGap(clumps);
+    nearness_ = max(0.5*radius_, 2*displacement);
     clearance_ = near() ? 0 : gap_ - 0.5*radius_;
     return true;
 }

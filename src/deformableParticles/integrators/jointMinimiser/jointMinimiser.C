@@ -181,8 +181,15 @@ void Foam::jointMinimiser::takeStep()
         }
     }
     const vector2D sums0(sums_);
+    const scalar slope0 = mag(dot(g_, d_));
 
-    for (scalar part = group_.passable(d_); part > 0; part *= 0.5)
+    // A contact that begins is not in the tangent: where the step goes too far, the
+    // minimum along it lies in the contact
+    scalar low = 0;
+    scalar high = group_.passable(d_);
+    scalar part = high;
+
+    for (label attempt = 0; attempt < 60; ++attempt)
     {
         lastStep_ = 0;
         forAll(before, m)
@@ -200,15 +207,22 @@ void Foam::jointMinimiser::takeStep()
         evaluate();
 
         // As in newtonMinimiser, for the sum over all clumps
+        const scalar slope = dot(g_, d_);
         if
         (
-            sums_.x() <= sums0.x()
+            (
+                sums_.x() <= sums0.x()
+             && (attempt == 0 || attempt > 30 || mag(slope) < 0.5*slope0)
+            )
          || lastStep_ <= tolerance_
          || (lastStep_ < 1e-3 && sums_.y() < sums0.y())
         )
         {
             return;
         }
+        const bool far = slope > 0 || sums_.x() > sums0.x();
+        (far ? high : low) = part;
+        part = 0.5*(low + high);
     }
 }
 

@@ -124,9 +124,19 @@ void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
 void Foam::deformableCloud::findContacts(const scalar dt, const scalar slack)
 {
     const bool betweenClumps = effects_.active("contact");
-    const timeBreakdown::timer t(timing_, betweenClumps ? "contact" : "walls");
-
-    contacting_.find(*this, dt, slack, betweenClumps, effects_.active("walls"));
+    {
+        const timeBreakdown::timer t
+        (
+            timing_, betweenClumps ? "contact" : "walls"
+        );
+        contacting_.find(*this, dt, slack, betweenClumps);
+    }
+    if (effects_.active("walls"))
+    {
+        const timeBreakdown::timer t(timing_, "walls");
+        contacting_.findPlanes();
+    }
+    contacting_.endSearch();
 }
 
 

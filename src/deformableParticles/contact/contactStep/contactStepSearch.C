@@ -12,8 +12,7 @@ void Foam::contactStep::find
     Cloud<clumpParcel>& clumps,
     const scalar dt,
     const scalar slack,
-    const bool betweenClumps,
-    const bool withWalls
+    const bool betweenClumps
 )
 {
     span_ = dt;
@@ -37,18 +36,25 @@ void Foam::contactStep::find
     {
         findPairs();
     }
-    if (withWalls)
+}
+
+
+void Foam::contactStep::findPlanes()
+{
+    for (label a = 0; a < clumps_.size(); ++a)
     {
-        for (label a = 0; a < clumps_.size(); ++a)
-        {
-            findPlanes(a);
-        }
-        std::stable_sort
-        (
-            touches_.begin(), touches_.end(),
-            [](const touch& s, const touch& t) { return s.a < t.a; }
-        );
+        findPlanes(a);
     }
+    std::stable_sort
+    (
+        touches_.begin(), touches_.end(),
+        [](const touch& s, const touch& t) { return s.a < t.a; }
+    );
+}
+
+
+void Foam::contactStep::endSearch()
+{
     setSlots();
     distribute(true);
 }

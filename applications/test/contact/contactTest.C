@@ -159,19 +159,50 @@ TEST_CASE("contact: Hertz's law", "[contact][serial]")
      == Approx(4.0/3.0*1000*Foam::sqrt(0.5*r)*Foam::pow(d, 1.5))
     );
 
-    // The stiffness is its derivative
-    const scalar h = 1e-11;
-    CHECK
-    (
-        model->stiffness(d, r, r)
-     == Approx
-        (
+}
+
+
+TEST_CASE("contact: a step has a potential", "[contact][serial]")
+{
+    // Force and stiffness are its derivatives, the force is that of the law at the
+    // mean rate of the step, and the potential is convex
+    const scalar e = GENERATE(1.0, 0.5);
+    const scalar first = GENERATE(-3e-7, -1e-9, 2e-8, 1e-7, 4e-7);
+    OStringStream os;
+    os << "type hertz; reducedModulus 1000; restitution " << e << ";";
+    const auto model(selectModel<contactModel>(dictOf(os.str())));
+    const scalar R = 1e-6, m = 1e-14, h = 1e-12;
+
+    for (const scalar dt : {1e-9, 1e-7, 1e-5, 1e-2})
+    {
+        for (scalar d = 1e-9; d < 5e-7; d *= 1.7)
+        {
+            const auto w = model->step(d, first, dt, R, m);
+            const auto more = model->step(d + h, first, dt, R, m);
+            const auto less = model->step(d - h, first, dt, R, m);
+            INFO(e << ' ' << first << ' ' << dt << ' ' << d);
+            CHECK
             (
-                model->force(d + h, 0, r, r, m, m)
-              - model->force(d - h, 0, r, r, m, m)
-            )/(2*h)
-        ).epsilon(1e-6)
-    );
+                w.force
+             == Approx(model->force(d, (d - first)/dt, R, m)).margin(1e-24)
+            );
+            CHECK(w.stiffness >= 0);
+            CHECK(more.force >= w.force*(1 - 1e-12));
+            if (less.force > 0)
+            {
+                CHECK
+                (
+                    w.force
+                 == Approx((more.energy - less.energy)/(2*h)).epsilon(1e-3)
+                );
+                CHECK
+                (
+                    w.stiffness
+                 == Approx((more.force - less.force)/(2*h)).epsilon(1e-3)
+                );
+            }
+        }
+    }
 }
 
 
@@ -191,8 +222,15 @@ TEST_CASE("contact: a wall is a sphere without end", "[contact][serial]")
     CHECK(wall == Approx(model->force(d, v, r, 1e10*r, m, 1e10*m)).epsilon(1e-8));
     CHECK
     (
-        model->stiffness(d, r)
-     == Approx(model->stiffness(d, r, 1e10*r)).epsilon(1e-8)
+        model->step(d, 0, 1e-6, r, m).force
+     == Approx
+        (
+            model->step
+            (
+                d, 0, 1e-6,
+                contactModel::reduced(r, 1e10*r), contactModel::reduced(m, 1e10*m)
+            ).force
+        ).epsilon(1e-8)
     );
 }
 

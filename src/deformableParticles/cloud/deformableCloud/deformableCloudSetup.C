@@ -66,10 +66,11 @@ Foam::deformableCloud::deformableCloud
     g_(Zero),
     effects_(dict_),
     ghosts_(mesh),
-    contactGhosts_(mesh),
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
     contacts_(types_, dict_),
     walls_(mesh, types_, dict_),
+    contacting_(mesh, types_, bonds_, contacts_, walls_),
+    nSolves_(0),
     nClumps_(0),
     count_
     (

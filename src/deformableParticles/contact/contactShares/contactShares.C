@@ -17,18 +17,31 @@ void Foam::contactShares::set
     for (pair& p : pairs)
     {
         scalar sum = 0;
-        p.depth = 0;
+        scalar depth = 0;
 
         for (const pair& q : pairs)
         {
+            if (q.overlap <= 0)
+            {
+                continue;
+            }
             const scalar W =
                 kernel(xA[p.i], xA[q.i], rA[p.i], rA[q.i])
                *kernel(xB[p.j], xB[q.j], rB[p.j], rB[q.j]);
 
             sum += sqr(q.overlap)*W;
-            p.depth = max(p.depth, q.overlap*Foam::sqrt(W));
+            depth = max(depth, q.overlap*Foam::sqrt(W));
         }
-        p.share = sqr(p.overlap)/max(sum, VSMALL);
+        if (p.overlap > 0)
+        {
+            p.share = sqr(p.overlap)/max(sum, VSMALL);
+            p.depth = depth;
+        }
+        else
+        {
+            p.share = depth > 0 ? sqr(depth)/(sqr(depth) + sum) : 1;
+            p.depth = p.overlap;
+        }
     }
 }
 

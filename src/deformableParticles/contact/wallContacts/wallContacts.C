@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallContacts.H"
-#include "contactShares.H"
 #include "StringStream.H"
 
 Foam::wallContacts::wallContacts
@@ -26,6 +25,7 @@ Foam::wallContacts::wallContacts
     neighbourhood_(-1),
     gap_(GREAT),
     radius_(0),
+    nearness_(0),
     clearance_(0)
 {}
 
@@ -58,12 +58,15 @@ bool Foam::wallContacts::gapMeasured
     const scalar displacement
 )
 {
+    // A step may accelerate a clump to twice its velocity
     clearance_ -= displacement;
-    if (clearance_ > 0)
+    nearness_ = max(0.5*radius_, 2*displacement);
+    if (clearance_ > nearness_ - 0.5*radius_)
     {
         return false;
     }
     measureGap(clumps);
+    nearness_ = max(0.5*radius_, 2*displacement);
     clearance_ = near() ? 0 : gap_ - 0.5*radius_;
     return true;
 }
@@ -105,30 +108,4 @@ Foam::string Foam::wallContacts::gap() const
     os.precision(2);
     os << "the nearest wall is " << 1e6*gap_ << " um away";
     return os.str();
-}
-
-
-void Foam::wallContacts::addForces
-(
-    const clumpParcel& p,
-    externalForces& ext
-) const
-{
-    const clumpType& type = types_[p.typeId()];
-    const scalarField& r = type.radii();
-    const clumpState& s = p.step().end;
-    const pointField x(s.x + p.position());
-
-    for (const auto& c : contactShares::ofWalls(*walls_, x, r))
-    {
-        const vector& n = c.wall.normal;
-        ext.f[c.i] += c.share*n*law_->force
-        (
-            c.depth,
-            -(s.u[c.i] & n),
-            r[c.i],
-            contactShares::mass(c.i, x, r, type.masses())
-        );
-        ext.k[c.i] += c.share*law_->stiffness(c.depth, r[c.i])*sqr(n);
-    }
 }

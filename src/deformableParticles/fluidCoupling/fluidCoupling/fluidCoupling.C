@@ -199,58 +199,10 @@ void Foam::fluidCoupling::addForces
 }
 
 
-void Foam::fluidCoupling::divideInterior
-(
-    const clumpParcel& p,
-    const scalar h,
-    const scalar dt,
-    externalForces& ext
-) const
-{
-    if (!twoWay() || h == dt)
-    {
-        return;
-    }
-    scalarField zeta(ext.zeta), zetaR(ext.zetaR);
-    scheme_->coefficients
-    (
-        types_[p.typeId()], p.couplingFactor()*mu_, rho_, h, zeta, zetaR
-    );
-
-    const auto divide = [&]
-    (
-        const scalarField& partial,     // coefficient for the part of the step
-        const vectorField& present,     // velocity at the start of the part
-        const vectorField& start,       // velocity at the start of the step
-        scalarField& coefficient,
-        vectorField& imposed,
-        vectorField& force
-    )
-    {
-        forAll(partial, i)
-        {
-            const scalar z = partial[i];
-            scalar& whole = coefficient[i];
-            if (z <= 0)
-            {
-                continue;
-            }
-            const scalar m = (z - whole)/(1/h - 1/dt);
-            force[i] += m/dt*(imposed[i] - start[i]);
-            imposed[i] = ((whole - m/dt)*imposed[i] + m/h*present[i])/z;
-            whole = z;
-        }
-    };
-    const clumpState& now = p.step().end;
-    divide(zeta, now.u, p.state().u, ext.zeta, ext.imposedU, ext.f);
-    divide(zetaR, now.w, p.state().w, ext.zetaR, ext.imposedW, ext.t);
-}
-
-
 void Foam::fluidCoupling::deflate
 (
     const clumpParcel& p,
-    const scalar h,
+    const scalar dt,
     externalForces& ext
 ) const
 {
@@ -263,12 +215,12 @@ void Foam::fluidCoupling::deflate
     const scalar noInertia = 0;
     scheme_->coefficients
     (
-        type, p.couplingFactor()*mu_, noInertia, h, z, zR
+        type, p.couplingFactor()*mu_, noInertia, dt, z, zR
     );
     const clumpStep& step = p.step();
     deflations_[p.typeId()].shift
     (
-        type, step.end, step.imposedU, step.imposedW, z, zR, h, ext
+        type, step.end, step.imposedU, step.imposedW, z, zR, dt, ext
     );
 }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "implicitEuler.H"
+#include "jointMinimiser.H"
 #include "newtonMinimiser.H"
 
 namespace Foam
@@ -56,14 +57,92 @@ void Foam::integrators::implicitEuler::advance
             << " sphere radii." << endl;
     }
 
+    setVelocities(type, ext, dt, start, s);
+    potential.forces().breakBonds(s);
+}
+
+
+Foam::label Foam::integrators::implicitEuler::advance
+(
+    clumpInteraction& group,
+    const scalar dt
+) const
+{
+    UList<clumpInteraction::member>& members = group.members();
+    group.begin(dt);
+
+    clumpInteraction::motions steps;
+    for (const clumpInteraction::member& m : members)
+    {
+        const clumpState& start = *m.start;
+        clumpState& s = *m.end;
+        steps.push_back(Eigen::VectorXd::Zero(6*start.x.size()));
+        if (!m.guessed)
+        {
+            s = start;
+            predict(m.bonds->type(), dt, s);
+            forAll(s.x, i)
+            {
+                const vector dx(s.x[i] - start.x[i]);
+                const vector phi
+                (
+                    rotationVector(s.q[i]*conjugate(start.q[i]))
+                );
+                steps.back().segment<6>(6*i) <<
+                    dx.x(), dx.y(), dx.z(), phi.x(), phi.y(), phi.z();
+            }
+            s = start;
+        }
+    }
+
+    jointMinimiser newton(group, dt, tolerance_, maxIterations_);
+    newton.predict(steps);
+    bool converged = newton.minimise();
+    for (label n = 0; n < 10 && group.redistribute(); ++n)
+    {
+        converged = newton.minimise();
+    }
+    if (!converged && Pstream::master())
+    {
+        WarningInFunction
+            << "Newton's method did not converge for the clumps that touch each"
+            << " other or a wall: after " << maxIterations_
+            << " iterations the last step is " << newton.lastStep()
+            << " sphere radii." << endl;
+    }
+
+    forAll(members, m)
+    {
+        clumpInteraction::member& member = members[m];
+        member.received = group.forces(m);
+        member.guessed = true;
+        externalForces ext(*member.ext);
+        ext.f += member.received;
+        setVelocities
+        (
+            member.bonds->type(), ext, dt, *member.start, *member.end
+        );
+        newton.potential(m).forces().breakBonds(*member.end);
+    }
+    return newton.nSolves();
+}
+
+
+void Foam::integrators::implicitEuler::setVelocities
+(
+    const clumpType& type,
+    const externalForces& ext,
+    const scalar dt,
+    const clumpState& start,
+    clumpState& s
+)
+{
     forAll(s.x, i)
     {
         s.u[i] = (s.x[i] - start.x[i])/dt;
         s.w[i] = rotationVector(s.q[i]*conjugate(start.q[i]))/dt;
     }
-
     balanceMomentum(type, ext, dt, start, s);
-    potential.forces().breakBonds(s);
 }
 
 

@@ -10,6 +10,17 @@ namespace
 
 using namespace Foam;
 
+Eigen::Matrix3d matrix(const symmTensor& k)
+{
+    Eigen::Matrix3d result;
+    result <<
+        k.xx(), k.xy(), k.xz(),
+        k.xy(), k.yy(), k.yz(),
+        k.xz(), k.yz(), k.zz();
+    return result;
+}
+
+
 //- Gradient of v.phi with respect to a small further rotation, where phi is the
 //  rotation vector: J^-T v with the left Jacobian J of the exponential map
 vector rotationGradient(const vector& phi, const vector& v)
@@ -42,6 +53,8 @@ Foam::incrementalPotential::incrementalPotential
     ext_(ext),
     oneByDt_(dt > 0 ? 1/dt : 0),
     start_(start),
+    group_(nullptr),
+    member_(-1),
     forces_(bonds, start),
     F_(type_.size()),
     T_(type_.size())
@@ -104,13 +117,8 @@ Foam::scalar Foam::incrementalPotential::value
 
         if (K)
         {
-            const symmTensor& k = ext_.k[i];
             clumpTangent::block& D = K->diagonal(i);
-            Eigen::Matrix3d kw;
-            kw << k.xx(), k.xy(), k.xz(),
-                  k.xy(), k.yy(), k.yz(),
-                  k.xz(), k.yz(), k.zz();
-            D.topLeftCorner<3, 3>() += kw;
+            D.topLeftCorner<3, 3>() += matrix(ext_.k[i]);
 
             if (moving())
             {
@@ -120,5 +128,37 @@ Foam::scalar Foam::incrementalPotential::value
         }
     }
 
+    if (group_)
+    {
+        W += group_->energy(member_);
+        addInteraction(gradient, K);
+    }
+
     return W;
+}
+
+
+void Foam::incrementalPotential::addInteraction
+(
+    Eigen::VectorXd* gradient,
+    clumpTangent* K
+) const
+{
+    if (gradient)
+    {
+        const vectorField& f = group_->forces(member_);
+        forAll(f, i)
+        {
+            gradient->segment<3>(6*i) -=
+                Eigen::Vector3d(f[i].x(), f[i].y(), f[i].z());
+        }
+    }
+    if (K)
+    {
+        const symmTensorField stiffness(group_->stiffness(member_));
+        forAll(stiffness, i)
+        {
+            K->diagonal(i).topLeftCorner<3, 3>() += matrix(stiffness[i]);
+        }
+    }
 }

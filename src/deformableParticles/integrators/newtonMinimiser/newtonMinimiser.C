@@ -5,13 +5,30 @@
 
 #include "newtonMinimiser.H"
 
-namespace
+Foam::scalar Foam::newtonMinimiser::largest
+(
+    const clumpType& type,
+    const Eigen::VectorXd& step
+)
 {
+    scalar result = 0;
+    for (label i = 0; i < type.size(); ++i)
+    {
+        result = max
+        (
+            result,
+            max
+            (
+                step.segment<3>(6*i).norm()/type.radii()[i],
+                step.segment<3>(6*i + 3).norm()
+            )
+        );
+    }
+    return result;
+}
 
-using namespace Foam;
 
-//- s = before moved by a fraction of the step; returns the largest move in radii
-scalar moveBy
+Foam::scalar Foam::newtonMinimiser::moveBy
 (
     const clumpType& type,
     const clumpState& before,
@@ -35,8 +52,12 @@ scalar moveBy
     return moved;
 }
 
-//- Size of a gradient, torques as forces at a sphere's surface [N]
-scalar size(const clumpType& type, const Eigen::VectorXd& gradient)
+
+Foam::scalar Foam::newtonMinimiser::size
+(
+    const clumpType& type,
+    const Eigen::VectorXd& gradient
+)
 {
     scalar sum = 0;
     for (label i = 0; i < type.size(); ++i)
@@ -46,8 +67,6 @@ scalar size(const clumpType& type, const Eigen::VectorXd& gradient)
           + gradient.segment<3>(6*i + 3).squaredNorm()/sqr(type.radii()[i]);
     }
     return Foam::sqrt(sum);
-}
-
 }
 
 
@@ -65,28 +84,29 @@ Foam::newtonMinimiser::newtonMinimiser
 {}
 
 
-void Foam::newtonMinimiser::factorise
+Foam::label Foam::newtonMinimiser::factorise
 (
     const incrementalPotential& potential,
     const clumpState& s,
     const scalar shift,
+    const bool early,
     Eigen::VectorXd& gradient,
     clumpTangent& K
 )
 {
     const scalar r2 = sqr(max(potential.type().radii()));
 
-    ++nFactorisations_;
+    label nFactorisations = 1;
     potential.value(s, &gradient, &K);
     if (K.factorise(shift, shift*r2))
     {
-        return;
+        return nFactorisations;
     }
 
     // With inertia the material part is positive definite; it converges slowly
     // where the geometric part matters. In an equilibrium it is only positive
     // semidefinite, since the clump may move rigidly.
-    if (potential.moving() && nIterations_ < 10)
+    if (potential.moving() && early)
     {
         potential.value(s, &gradient, &K, false);
     }
@@ -100,9 +120,10 @@ void Foam::newtonMinimiser::factorise
     scalar added = shift;
     while (!K.factorise(added, added*r2))
     {
-        ++nFactorisations_;
+        ++nFactorisations;
         added = max(4*added, 1e-6*largest + VSMALL);
     }
+    return nFactorisations;
 }
 
 
@@ -128,7 +149,10 @@ bool Foam::newtonMinimiser::minimise
     {
         if (stale)
         {
-            factorise(potential, s, shift, gradient, K);
+            nFactorisations_ += factorise
+            (
+                potential, s, shift, nIterations_ < 10, gradient, K
+            );
             fresh = true;
         }
 

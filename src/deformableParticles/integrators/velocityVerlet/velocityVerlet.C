@@ -131,3 +131,55 @@ void Foam::integrators::velocityVerlet::advance
     }
     internal.breakBonds(s);
 }
+
+
+Foam::label Foam::integrators::velocityVerlet::advance
+(
+    clumpInteraction& group,
+    const scalar dt
+) const
+{
+    UList<clumpInteraction::member>& members = group.members();
+    label nSolves = 0;
+
+    forAll(members, m)
+    {
+        *members[m].end = *members[m].start;
+        members[m].received = vectorField(members[m].start->x.size(), Zero);
+    }
+
+    // What acts between the clumps is constant over every part of the step
+    for (scalar left = dt; left > 0; )
+    {
+        group.redistribute();
+        group.beginMoving(left);
+        group.evaluate();
+
+        scalar h = left;
+        List<externalForces> ext(members.size());
+        forAll(members, m)
+        {
+            const clumpInteraction::member& member = members[m];
+            const clumpState& s = *member.end;
+            ext[m] = *member.ext;
+            ext[m].f +=
+                group.forces(m) - (ext[m].k & (s.x - member.start->x));
+
+            externalForces all(ext[m]);
+            all.k += group.stiffness(m);
+            h = min(h, stableStep(*member.bonds, all, s.x));
+        }
+        reduce(h, minOp<scalar>());
+
+        forAll(members, m)
+        {
+            clumpInteraction::member& member = members[m];
+            advance(*member.bonds, ext[m], h, *member.end);
+            member.received += h/dt*group.forces(m);
+            ++nSolves;
+        }
+        left = h < left ? left - h : 0;
+    }
+
+    return nSolves;
+}

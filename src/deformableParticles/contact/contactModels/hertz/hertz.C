@@ -62,3 +62,58 @@ Foam::contactModels::hertz::hertz(const dictionary& dict)
         damping_ = 0.5*(low + high);
     }
 }
+
+
+Foam::contactModel::increment Foam::contactModels::hertz::step
+(
+    const scalar overlap,
+    const scalar start,
+    const scalar dt,
+    const scalar R,
+    const scalar mass
+) const
+{
+    // F = d^(1/4) h(d) with h = k d^(5/4) + c (d - start)
+    const scalar k = 4.0/3.0*modulus_*Foam::sqrt(R);
+    const scalar c =
+        2*Foam::sqrt(5.0/6.0)*damping_
+       *Foam::sqrt(2*modulus_*Foam::sqrt(R)*mass)/dt;
+
+    const auto potential = [&](const scalar d)
+    {
+        const scalar q = Foam::sqrt(Foam::sqrt(d));
+        return d*q*(0.4*k*d*q + c*(d/2.25 - start/1.25));
+    };
+
+    // While the bodies part, the force ends at an overlap above zero, where the
+    // damping would begin to attract. Newton's method: h is convex
+    scalar free = 0;
+    if (c > 0 && start > 0)
+    {
+        free = start;
+        for (label n = 0; n < 30; ++n)
+        {
+            const scalar q = Foam::sqrt(Foam::sqrt(free));
+            const scalar change =
+                (k*free*q + c*(free - start))/(1.25*k*q + c);
+            free = max(free - change, scalar(0));
+            if (change <= 1e-15*start)
+            {
+                break;
+            }
+        }
+    }
+    if (overlap <= free)
+    {
+        return {0, 0, 0};
+    }
+
+    const scalar q = Foam::sqrt(Foam::sqrt(overlap));
+    const scalar h = k*overlap*q + c*(overlap - start);
+    return
+    {
+        potential(overlap) - potential(free),
+        q*h,
+        max(0.25*q/overlap*h + q*(1.25*k*q + c), scalar(0))
+    };
+}

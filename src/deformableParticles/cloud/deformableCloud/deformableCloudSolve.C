@@ -1,0 +1,221 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "deformableCloud.H"
+
+void Foam::deformableCloud::solve(const scalar dt)
+{
+    momentum_ = clumpMomentum();
+    for (clumpParcel& p : *this)
+    {
+        if (!coupled())
+        {
+            p.step().begin(p.state());
+        }
+        setSteadyForces(p, dt);
+        p.step().forces = p.step().steadyForces;
+    }
+    addLoads(mesh_.time().value());
+
+    if (effects_.active("contact") || effects_.active("walls"))
+    {
+        advanceTogether(dt);
+    }
+    else
+    {
+        const timeBreakdown::timer t(timing_, "clumps");
+        for (clumpParcel& p : *this)
+        {
+            advance(p, dt);
+        }
+    }
+
+    for (clumpParcel& p : *this)
+    {
+        clumpStep& step = p.step();
+        if (!type(p).fixed())
+        {
+            momentum_.addStep(type(p), step.forces, p.state(), step.end);
+        }
+        step.guessed = true;
+    }
+    endCorrector(dt);
+}
+
+
+void Foam::deformableCloud::setSteadyForces
+(
+    clumpParcel& p,
+    const scalar dt
+)
+{
+    const clumpType& ct = type(p);
+    externalForces& ext = p.step().steadyForces;
+    ext = externalForces(ct.size());
+
+    if (effects_.active("gravity"))
+    {
+        const timeBreakdown::timer t(timing_, "gravity");
+        const scalar rho = hasFluid() ? fluidDensity() : 0;
+        ext.f +=
+        (
+            ct.masses() - rho*ct.volumes()*ct.relativeVolume(p.state().x)
+        )*g_;
+    }
+    if (hasFluid())
+    {
+        coupling_->addForces(p, dt, ext);
+    }
+    if (coupled())
+    {
+        momentum_.addFluid(p, coupling_->interiorForces(p, dt));
+    }
+}
+
+
+void Foam::deformableCloud::addLoads(const scalar t)
+{
+    if (loads_.empty())
+    {
+        return;
+    }
+    const timeBreakdown::timer clock(timing_, "loads");
+
+    for (clumpParcel& p : *this)
+    {
+        for (const load& l : loads_)
+        {
+            if (l.clumpType() == type(p).name())
+            {
+                l.add(t, p.centres(), p.step().forces);
+            }
+        }
+    }
+}
+
+
+void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
+{
+    clumpState& end = p.step().end;
+    end = p.state();
+    p.step().guessed = false;
+    if (type(p).fixed())
+    {
+        return;
+    }
+    externalForces& ext = p.step().forces;
+
+    if (hasFluid())
+    {
+        // What acts on a clump adds a resistance that it alone has not
+        const externalForces& steady = p.step().steadyForces;
+        if (ext.f == steady.f && ext.k == steady.k)
+        {
+            coupling_->deflate(p, dt, ext);
+        }
+    }
+    integrator_->advance(bonds(p), ext, dt, end);
+    ++nSolves_;
+}
+
+
+void Foam::deformableCloud::findContacts(const scalar dt, const scalar slack)
+{
+    const bool betweenClumps = effects_.active("contact");
+    {
+        const timeBreakdown::timer t
+        (
+            timing_, betweenClumps ? "contact" : "walls"
+        );
+        contacting_.find(*this, dt, slack, betweenClumps);
+    }
+    if (effects_.active("walls"))
+    {
+        const timeBreakdown::timer t(timing_, "walls");
+        contacting_.findPlanes();
+    }
+    contacting_.endSearch();
+}
+
+
+void Foam::deformableCloud::advanceTogether(const scalar dt)
+{
+    // A tenth of a radius on either side finds the contacts of a steady motion
+    scalar slack = 0;
+    for (const clumpType& ct : types_)
+    {
+        slack = max(slack, 0.1*min(ct.radii()));
+    }
+
+    // Those that touch at the start or did so in the last outer corrector
+    boolList together(size(), false);
+    for (clumpParcel& p : *this)
+    {
+        if (!p.step().guessed)
+        {
+            p.step().end = p.state();
+        }
+    }
+    findContacts(dt, slack);
+    bool any = contacting_.addTouching(together);
+
+    label index = 0;
+    {
+        const timeBreakdown::timer t(timing_, "clumps");
+        for (clumpParcel& p : *this)
+        {
+            if (!together[index++])
+            {
+                advance(p, dt);
+            }
+        }
+    }
+
+    // And those that do on their way
+    for (bool solved = false; true; )
+    {
+        const bool added = contacting_.addTouching(together);
+        any = any || added;
+        if (any && (added || !solved))
+        {
+            const timeBreakdown::timer t(timing_, "clumps");
+            nSolves_ += integrator_->advance(contacting_, dt);
+            index = 0;
+            for (clumpParcel& p : *this)
+            {
+                p.step().guessed = together[index++];
+            }
+            solved = true;
+            continue;
+        }
+
+        const scalar deviation = contacting_.deviation();
+        if (deviation <= slack)
+        {
+            break;
+        }
+        slack = 1.5*deviation;
+        findContacts(dt, slack);
+        solved = false;
+    }
+
+    contacting_.addReceived();
+}
+
+
+void Foam::deformableCloud::endCorrector(const scalar dt)
+{
+    momentum_.finish(dt);
+    for (clumpParcel& p : *this)
+    {
+        clumpStep& step = p.step();
+        step.end.a = (step.end.u - step.imposedU)/dt;
+        step.end.b = (step.end.w - step.imposedW)/dt;
+        if (coupled())
+        {
+            coupling_->adapt(p);
+        }
+    }
+}

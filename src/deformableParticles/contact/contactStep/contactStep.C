@@ -1,0 +1,115 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "contactStep.H"
+
+Foam::contactStep::contactStep
+(
+    const polyMesh& mesh,
+    const PtrList<clumpType>& types,
+    const PtrList<clumpBonds>& bonds,
+    const clumpContacts& contacts,
+    const wallContacts& walls
+)
+:
+    types_(types),
+    bonds_(bonds),
+    contacts_(contacts),
+    walls_(walls),
+    ghosts_(mesh),
+    span_(0),
+    dt_(0),
+    slack_(0)
+{}
+
+
+const Foam::contactModel& Foam::contactStep::law(const touch& t) const
+{
+    return t.b < 0 ? walls_.law() : contacts_.law();
+}
+
+
+void Foam::contactStep::addMember(const label a)
+{
+    clumpParcel& p = clumps_[a];
+    isMember_[a] = 1;
+    clumpOf_.append(a);
+    members_.append
+    (
+        {
+            &bonds_[p.typeId()], &p.step().forces,
+            &p.state(), &p.step().end, p.step().guessed, vectorField()
+        }
+    );
+    forces_.append(vectorField(type(a).size(), Zero));
+    energies_.append(0);
+}
+
+
+bool Foam::contactStep::addTouching(UList<bool>& together)
+{
+    move(true);
+
+    label nNew = 0;
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        if (isMember_[a] || type(a).fixed())
+        {
+            continue;
+        }
+        for (label k = begins_[a]; k < begins_[a + 1] && !together[a]; ++k)
+        {
+            const touch& t = touches_[k];
+            const vector dx(displacement(t));
+            const scalar gap =
+                t.b < 0
+              ? min(t.n & dx, scalar(0)) - t.radii
+              : leastDistance(before(t), dx) - t.radii;
+            together[a] = gap < 0;
+        }
+        if (together[a])
+        {
+            addMember(a);
+            ++nNew;
+        }
+    }
+    reduce(nNew, sumOp<label>());
+    if (nNew)
+    {
+        remote_.exchange(isMember_);
+    }
+    return nNew;
+}
+
+
+Foam::scalar Foam::contactStep::deviation() const
+{
+    scalar result = 0;
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        const clumpState& start = clumps_[a].state();
+        const clumpState& end = clumps_[a].step().end;
+        if (!type(a).fixed())
+        {
+            forAll(start.x, i)
+            {
+                result = max
+                (
+                    result, mag(end.x[i] - start.x[i] - span_*start.u[i])
+                );
+            }
+        }
+    }
+    return returnReduce(result, maxOp<scalar>());
+}
+
+
+void Foam::contactStep::addReceived()
+{
+    forAll(members_, m)
+    {
+        clumps_[clumpOf_[m]].step().forces.f += members_[m].received;
+    }
+}

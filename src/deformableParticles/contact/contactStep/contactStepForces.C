@@ -1,0 +1,250 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "contactStep.H"
+
+namespace
+{
+
+using namespace Foam;
+
+vector of(const Eigen::VectorXd& v, const label i)
+{
+    return vector(v[6*i], v[6*i + 1], v[6*i + 2]);
+}
+
+}
+
+
+void Foam::contactStep::begin(const scalar dt)
+{
+    dt_ = dt;
+    move(true);
+}
+
+
+void Foam::contactStep::beginMoving(const scalar dt)
+{
+    begin(dt);
+
+    List<vectorField> u(moved_.size());
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        u[a] = clumps_[a].step().end.u;
+    }
+    remote_.exchange(u);
+    for (touch& t : touches_)
+    {
+        if (isMember_[t.a])
+        {
+            evaluate(t);
+            const vector v
+            (
+                t.b < 0 ? u[t.a][t.i] : vector(u[t.a][t.i] - u[t.slot][t.j])
+            );
+            t.first = t.d + dt*(v & t.n);
+        }
+    }
+}
+
+
+void Foam::contactStep::move(const bool all)
+{
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        const clumpParcel& p = clumps_[a];
+        if (all || isMember_[a])
+        {
+            moved_[a] = p.step().end.x - p.state().x;
+        }
+    }
+    remote_.exchange(moved_);
+}
+
+
+Foam::vector Foam::contactStep::before(const touch& t) const
+{
+    return
+        t.b < 0
+      ? vector::zero
+      : ghosts_.images()[t.a].x[t.i] - ghosts_.images()[t.b].x[t.j];
+}
+
+
+Foam::vector Foam::contactStep::displacement(const touch& t) const
+{
+    const vector& dx = moved_[t.a][t.i];
+    return t.b < 0 ? dx : vector(dx - moved_[t.slot][t.j]);
+}
+
+
+void Foam::contactStep::evaluate(touch& t) const
+{
+    if (t.b < 0)
+    {
+        t.d = t.radii - (t.n & displacement(t));
+    }
+    else
+    {
+        // Coincident centres have no direction to part in
+        const vector x(before(t) + displacement(t));
+        const scalar distance = mag(x);
+        t.d = t.radii - distance;
+        t.n = distance > SMALL*t.R ? vector(x/distance) : vector::zero;
+    }
+    t.w = {0, 0, 0};
+    if (t.d > 0)
+    {
+        t.w = law(t).step
+        (
+            t.ratio*t.d, t.ratio*t.first, t.ratio*dt_, t.R, t.m
+        );
+        t.w.energy *= t.share/t.ratio;
+        t.w.force *= t.share;
+        t.w.stiffness *= t.share*t.ratio;
+    }
+}
+
+
+void Foam::contactStep::sumForces
+(
+    const label m,
+    vectorField& f,
+    scalar& energy
+) const
+{
+    const label a = clumpOf_[m];
+    f = Zero;
+    energy = 0;
+    for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+    {
+        const touch& t = touches_[k];
+        if (t.w.force > 0)
+        {
+            // Two members have half of the energy each
+            const bool both = t.b >= 0 && isMember_[t.slot];
+            energy += (both ? 0.5 : 1)*t.w.energy;
+            f[t.i] += t.w.force*t.n;
+        }
+    }
+}
+
+
+void Foam::contactStep::evaluate()
+{
+    move(false);
+    forAll(members_, m)
+    {
+        const label a = clumpOf_[m];
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            evaluate(touches_[k]);
+        }
+        sumForces(m, forces_[m], energies_[m]);
+    }
+}
+
+
+Foam::symmTensorField Foam::contactStep::stiffness(const label m) const
+{
+    const label a = clumpOf_[m];
+    symmTensorField k(type(a).size(), Zero);
+    for (label n = begins_[a]; n < begins_[a + 1]; ++n)
+    {
+        const touch& t = touches_[n];
+        k[t.i] += t.w.stiffness*sqr(t.n);
+    }
+    return k;
+}
+
+
+void Foam::contactStep::couple(const motions& p, motions& Ap)
+{
+    List<vectorField> moves(moved_.size());
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        moves[a].setSize(type(a).size());
+        moves[a] = Zero;
+    }
+    forAll(members_, m)
+    {
+        vectorField& move = moves[clumpOf_[m]];
+        forAll(move, i)
+        {
+            move[i] = of(p[m], i);
+        }
+    }
+    remote_.exchange(moves);
+
+    forAll(members_, m)
+    {
+        const label a = clumpOf_[m];
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            const touch& t = touches_[k];
+            if (t.b < 0 || t.w.force <= 0)
+            {
+                continue;
+            }
+            const vector other(moves[t.slot][t.j]);
+            const vector relative(moves[a][t.i] - other);
+            const scalar turning = t.w.force/max(t.radii - t.d, SMALL*t.R);
+            const vector Cp
+            (
+                t.w.stiffness*(t.n & other)*t.n
+              + turning*(relative - (t.n & relative)*t.n)
+            );
+            Ap[m].segment<3>(6*t.i) -= Eigen::Vector3d(Cp.x(), Cp.y(), Cp.z());
+        }
+    }
+}
+
+
+Foam::scalar Foam::contactStep::passable(const motions& step)
+{
+    List<vectorField> moves(moved_.size());
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        moves[a].setSize(type(a).size());
+        moves[a] = Zero;
+    }
+    forAll(members_, m)
+    {
+        vectorField& move = moves[clumpOf_[m]];
+        forAll(move, i)
+        {
+            move[i] = of(step[m], i);
+        }
+    }
+    remote_.exchange(moves);
+
+    // Up to half of a gap and a quarter of a radius nearer
+    scalar part = 1;
+    forAll(members_, m)
+    {
+        const label a = clumpOf_[m];
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            const touch& t = touches_[k];
+            const vector dx
+            (
+                t.b < 0
+              ? moves[a][t.i]
+              : vector(moves[a][t.i] - moves[t.slot][t.j])
+            );
+            const scalar distance = t.radii - t.d;
+            const scalar nearer =
+                t.b < 0
+              ? -(t.n & dx)
+              : distance - leastDistance(distance*t.n, dx);
+            const scalar allowed = 0.5*max(-t.d, scalar(0)) + 0.25*t.R;
+            if (nearer > allowed)
+            {
+                part = min(part, allowed/mag(dx));
+            }
+        }
+    }
+    return returnReduce(part, minOp<scalar>());
+}

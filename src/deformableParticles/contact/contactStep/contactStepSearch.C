@@ -1,0 +1,259 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "contactStep.H"
+#include "sphereGrid.H"
+#include <algorithm>
+
+void Foam::contactStep::find
+(
+    Cloud<clumpParcel>& clumps,
+    const scalar dt,
+    const scalar slack,
+    const bool betweenClumps
+)
+{
+    span_ = dt;
+    dt_ = dt;
+    slack_ = slack;
+
+    clumps_.setSize(clumps.size());
+    label index = 0;
+    for (clumpParcel& p : clumps)
+    {
+        clumps_.set(index++, &p);
+    }
+    members_.clear();
+    clumpOf_.clear();
+    forces_.clear();
+    energies_.clear();
+    touches_.clear();
+
+    setImages(betweenClumps);
+    if (betweenClumps)
+    {
+        findPairs();
+    }
+}
+
+
+void Foam::contactStep::findPlanes()
+{
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        findPlanes(a);
+    }
+    std::stable_sort
+    (
+        touches_.begin(), touches_.end(),
+        [](const touch& s, const touch& t) { return s.a < t.a; }
+    );
+}
+
+
+void Foam::contactStep::endSearch()
+{
+    setSlots();
+    distribute(true);
+}
+
+
+void Foam::contactStep::setSlots()
+{
+    begins_ = labelList(clumps_.size() + 1, Zero);
+    boolList used(ghosts_.images().size(), false);
+    for (const touch& t : touches_)
+    {
+        ++begins_[t.a + 1];
+        if (t.b >= 0)
+        {
+            used[t.b] = true;
+        }
+    }
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        begins_[a + 1] += begins_[a];
+    }
+
+    remote_.find(ghosts_, clumps_.size(), used);
+    for (touch& t : touches_)
+    {
+        t.slot = t.b < 0 ? -1 : remote_.slot(t.b);
+    }
+
+    isMember_ = labelList(remote_.nSlots(), Zero);
+    moved_.clear();
+    moved_.setSize(remote_.nSlots());
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        moved_[a] = vectorField(type(a).size(), Zero);
+    }
+    remote_.exchange(moved_);
+}
+
+
+void Foam::contactStep::setImages(const bool betweenClumps)
+{
+    UList<clumpImage>& images = ghosts_.own(betweenClumps ? clumps_.size() : 0);
+
+    // Boxes that hold the paths
+    forAll(images, a)
+    {
+        const clumpParcel& p = clumps_[a];
+        const vector margin(slack_*vector::one);
+        clumpImage& image = images[a];
+        image.set(p, type(a), p.state(), a);
+        boundBox& box = image.box;
+        forAll(image.x, i)
+        {
+            const point end(image.x[i] + span_*image.u[i]);
+            box.add(end - type(a).radii()[i]*vector::one);
+            box.add(end + type(a).radii()[i]*vector::one);
+        }
+        box.min() -= margin;
+        box.max() += margin;
+        const point centre(p.position());
+        image.reach = max
+        (
+            cmptMax(box.max() - centre), cmptMax(centre - box.min())
+        );
+    }
+    ghosts_.update();
+}
+
+
+void Foam::contactStep::findPairs()
+{
+    const UList<clumpImage>& images = ghosts_.images();
+    const label nOwn = ghosts_.nOwn();
+
+    // Spheres of a clump whose paths reach into the box of another one
+    DynamicList<label> ofA, ofB;
+    const auto reaching = [&]
+    (
+        const clumpImage& image, const boundBox& box, DynamicList<label>& found
+    )
+    {
+        const scalarField& r = types_[image.typeId].radii();
+        found.clear();
+        forAll(image.x, i)
+        {
+            boundBox path(image.x[i], image.x[i]);
+            path.add(image.x[i] + span_*image.u[i]);
+            const vector width((r[i] + slack_)*vector::one);
+            path.min() -= width;
+            path.max() += width;
+            if (path.overlaps(box))
+            {
+                found.append(i);
+            }
+        }
+    };
+
+    sphereGrid::forEachNear
+    (
+        images, nOwn, scalarField(nOwn, Zero),
+        [&](const label a, const label b)
+        {
+            const clumpImage& A = images[a];
+            const clumpImage& B = images[b];
+            const scalarField& rA = types_[A.typeId].radii();
+            const scalarField& rB = types_[B.typeId].radii();
+
+            reaching(A, B.box, ofA);
+            reaching(B, A.box, ofB);
+            for (const label i : ofA)
+            {
+                for (const label j : ofB)
+                {
+                    const vector x(A.x[i] - B.x[j]);
+                    const vector dx(span_*(A.u[i] - B.u[j]));
+                    const scalar r = rA[i] + rB[j];
+                    if (leastDistance(x, dx) >= r + 2*slack_)
+                    {
+                        continue;
+                    }
+                    const scalarField& mB = types_[B.typeId].masses();
+                    touch t = touch();
+                    t.a = a;
+                    t.i = i;
+                    t.b = b;
+                    t.j = j;
+                    t.radii = r;
+                    t.d = r - mag(x);
+                    t.first = t.d;
+                    t.n = mag(x) > SMALL*r ? vector(x/mag(x)) : vector::zero;
+                    t.R = contactModel::reduced(rA[i], rB[j]);
+                    t.m = contactModel::reduced
+                    (
+                        massAt(a, i), contactShares::mass(j, B.x, rB, mB)
+                    );
+                    touches_.append(t);
+                }
+            }
+        }
+    );
+}
+
+
+void Foam::contactStep::findPlanes(const label a)
+{
+    const clumpParcel& p = clumps_[a];
+    if (type(a).fixed())
+    {
+        return;
+    }
+    const scalarField& r = type(a).radii();
+    const pointField x(p.centres());
+
+    forAll(x, i)
+    {
+        const vector path(span_*p.state().u[i]);
+        const scalar reach = mag(path) + slack_;
+        for (const auto& c : walls_.surface().contacts(x[i], r[i] + reach))
+        {
+            // At the start, and as deep as it may become
+            const scalar d = c.overlap - reach;
+            if (d + slack_ + max(-(path & c.normal), 0.0) > 0)
+            {
+                touch t = touch();
+                t.a = a;
+                t.i = i;
+                t.b = -1;
+                t.j = -1;
+                t.n = c.normal;
+                t.d = d;
+                t.radii = d;
+                t.first = d;
+                t.R = r[i];
+                t.m = massAt(a, i);
+                t.share = c.share;
+                t.ratio = 1;
+                touches_.append(t);
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::contactStep::leastDistance
+(
+    const vector& x,
+    const vector& dx
+)
+{
+    const scalar at = -(x & dx)/max(magSqr(dx), VSMALL);
+    return mag(x + min(max(at, scalar(0)), scalar(1))*dx);
+}
+
+
+Foam::scalar Foam::contactStep::massAt(const label a, const label i) const
+{
+    const clumpType& ct = type(a);
+    return contactShares::mass
+    (
+        i, clumps_[a].state().x, ct.radii(), ct.masses()
+    );
+}

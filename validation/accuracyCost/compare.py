@@ -25,7 +25,8 @@ def value(scene, knob, setting):
 
 
 def reference(scene):
-    """The converged run, or the finest mesh, corrected for its time step where a smaller one was run."""
+    """The converged run, or the finest mesh, corrected for its time step where a smaller one was
+    run."""
     converged = [r["value"] for r in rows if r["scene"] == scene and r["knob"] == "converged"]
     if converged:
         return converged[0]

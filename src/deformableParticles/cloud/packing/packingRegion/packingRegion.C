@@ -186,7 +186,10 @@ void Foam::packingRegion::findFaces(const boolList& in)
 
 Foam::scalar Foam::packingRegion::volumeInBox(const label celli) const
 {
-    const boundBox bounds(mesh_.cells()[celli].points(mesh_.faces(), mesh_.points()));
+    const boundBox bounds
+    (
+        mesh_.cells()[celli].points(mesh_.faces(), mesh_.points()), false
+    );
     DynamicList<plane> cuts;
     for (direction d = 0; d < vector::nComponents; ++d)
     {

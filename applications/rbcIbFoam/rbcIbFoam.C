@@ -101,7 +101,7 @@ int main(int argc, char* argv[])
 
             if (cloud.coupled())
             {
-                cloud.immerse(nu);
+                cloud.immerse(nu, !resistance.wanted());
             }
 
             // --- Pressure-velocity coupling

@@ -5,7 +5,11 @@
 
 #include "deformableCloud.H"
 
-void Foam::deformableCloud::immerse(const volScalarField& nu)
+void Foam::deformableCloud::immerse
+(
+    const volScalarField& nu,
+    const bool moving
+)
 {
     for (clumpParcel& p : *this)
     {
@@ -17,7 +21,10 @@ void Foam::deformableCloud::immerse(const volScalarField& nu)
     const timeBreakdown::timer t(timing_, "solid fraction");
     coupling_->boundary().update(ghosts_.images(), nu);
     ghosts_.returnDilations();
-    turnVelocities();
+    if (moving)
+    {
+        turnVelocities();
+    }
     impose();
 }
 

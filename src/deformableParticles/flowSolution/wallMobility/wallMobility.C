@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallMobility.H"
+#include "fixedValueFvPatchFields.H"
 #include "fvMatrices.H"
 #include "fvmDdt.H"
 #include "fvmLaplacian.H"
@@ -28,7 +29,7 @@ void Foam::wallMobility::update(const volScalarField& nu)
         {
             types[i] = patches[i].type();
         }
-        else if (patches[i].fixesValue())
+        else if (isA<fixedValueFvPatchVectorField>(patches[i]))
         {
             types[i] = "fixedValue";
         }

@@ -160,7 +160,7 @@ Foam::symmTensorField Foam::contactStep::stiffness(const label m) const
 }
 
 
-void Foam::contactStep::couple(const motions& p, motions& Ap)
+Foam::List<Foam::vectorField> Foam::contactStep::ofSlots(const motions& p)
 {
     List<vectorField> moves(moved_.size());
     for (label a = 0; a < clumps_.size(); ++a)
@@ -177,6 +177,13 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
         }
     }
     remote_.exchange(moves);
+    return moves;
+}
+
+
+void Foam::contactStep::couple(const motions& p, motions& Ap)
+{
+    const List<vectorField> moves(ofSlots(p));
 
     forAll(members_, m)
     {
@@ -204,21 +211,7 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
 
 Foam::scalar Foam::contactStep::passable(const motions& step)
 {
-    List<vectorField> moves(moved_.size());
-    for (label a = 0; a < clumps_.size(); ++a)
-    {
-        moves[a].setSize(type(a).size());
-        moves[a] = Zero;
-    }
-    forAll(members_, m)
-    {
-        vectorField& move = moves[clumpOf_[m]];
-        forAll(move, i)
-        {
-            move[i] = of(step[m], i);
-        }
-    }
-    remote_.exchange(moves);
+    const List<vectorField> moves(ofSlots(step));
 
     // Up to half of a gap and a quarter of a radius nearer
     scalar part = 1;

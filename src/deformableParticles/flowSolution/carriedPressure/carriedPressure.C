@@ -21,7 +21,8 @@ Foam::carriedPressure::carriedPressure
 )
 :
     p_(p),
-    refCell_(refCell)
+    refCell_(refCell),
+    orthogonal_(false)
 {}
 
 
@@ -55,7 +56,7 @@ Foam::tmp<Foam::volScalarField> Foam::carriedPressure::zero
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::carriedPressure::sameLevel() const
+void Foam::carriedPressure::findLevels()
 {
     const fvMesh& mesh = p_.mesh();
     tmp<volScalarField> tlogV(zero("logV", dimless));
@@ -76,7 +77,12 @@ Foam::tmp<Foam::surfaceScalarField> Foam::carriedPressure::sameLevel() const
        .primitiveField();
     beside.correctBoundaryConditions();
 
-    return neg0(fvc::interpolate(beside));
+    sameLevel_.reset
+    (
+        new surfaceScalarField("sameLevel", neg0(fvc::interpolate(beside)))
+    );
+    orthogonal_ =
+        gMax(magSqr(mesh.nonOrthCorrectionVectors().primitiveField())) < 1e-6;
 }
 
 
@@ -95,7 +101,7 @@ void Foam::carriedPressure::carry
             dS.boundaryFieldRef()[i] = Zero;
         }
     }
-    dS *= sameLevel();
+    dS *= sameLevel_();
 
     const surfaceScalarField courant(mag(dS)*mesh.deltaCoeffs()/mesh.magSf());
     const scalar most =
@@ -121,6 +127,10 @@ void Foam::carriedPressure::correct
     const dictionary& solver
 )
 {
+    if (sameLevel_.empty())
+    {
+        findLevels();
+    }
     const dimensionSet dimensions(p_.dimensions()/dimArea);
     tmp<volScalarField> tq(zero("q", dimensions));
     volScalarField& q = tq.ref();
@@ -132,10 +142,7 @@ void Foam::carriedPressure::correct
 
     tmp<volScalarField> tdp(zero("dp", p_.dimensions(), "fixedValue"));
     // The second solution has the non-orthogonal part of the gradient
-    const bool orthogonal =
-        gMax(magSqr(p_.mesh().nonOrthCorrectionVectors().primitiveField()))
-      < 1e-6;
-    const label nSolutions = orthogonal ? 1 : 2;
+    const label nSolutions = orthogonal_ ? 1 : 2;
     for (label i = 0; i < nSolutions; ++i)
     {
         fvScalarMatrix equation(fvm::laplacian(tdp.ref()) == q - before);

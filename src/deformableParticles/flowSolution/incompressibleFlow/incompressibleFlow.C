@@ -283,6 +283,10 @@ void Foam::incompressibleFlow::meshChanged()
 {
     *phi_ = fvc::flux(*U_);
     phi_->oldTime() = fvc::flux(U_->oldTime());
+    if (carried_.valid())
+    {
+        carried_->meshChanged();
+    }
     if (mobility_.valid())
     {
         mobility_->meshChanged();

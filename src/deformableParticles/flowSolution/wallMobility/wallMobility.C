@@ -6,7 +6,6 @@
 #include "wallMobility.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvMatrices.H"
-#include "fvmDdt.H"
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
 

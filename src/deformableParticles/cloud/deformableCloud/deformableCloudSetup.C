@@ -7,6 +7,7 @@
 #include "accuracyLevel.H"
 #include "clumpFields.H"
 #include "FlatOutput.H"
+#include "foamCompat.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
@@ -274,8 +275,7 @@ void Foam::deformableCloud::reportFractions() const
     {
         ++numbers[p.typeId()];
     }
-    Pstream::listCombineGather(numbers, plusEqOp<label>());
-    Pstream::listCombineScatter(numbers);
+    reduceList(numbers, plusEqOp<label>());
 
     const Pair<scalar> fractions
     (

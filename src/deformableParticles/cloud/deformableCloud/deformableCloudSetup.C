@@ -7,6 +7,7 @@
 #include "accuracyLevel.H"
 #include "clumpFields.H"
 #include "FlatOutput.H"
+#include "functionObject.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
@@ -71,6 +72,7 @@ Foam::deformableCloud::deformableCloud
     walls_(mesh, types_, dict_),
     contacting_(mesh, types_, bonds_, contacts_, walls_),
     nSolves_(0),
+    overlaps_(Zero, Zero),
     nClumps_(0),
     count_
     (
@@ -161,6 +163,19 @@ const Foam::deformableCloud& Foam::deformableCloud::find
             << exit(FatalIOError);
     }
     return *cloud;
+}
+
+
+Foam::word Foam::deformableCloud::findName
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    return
+        functionObject::postProcess
+      ? dict.getOrDefault<word>("cloud", "clumps")
+      : find(mesh, dict).name();
 }
 
 
@@ -321,6 +336,8 @@ void Foam::deformableCloud::checkCount() const
 void Foam::deformableCloud::restart()
 {
     clumpFields::read(*this, types_);
+    Info<< "Read " << nClumps_ << " clumps from time " << mesh_.time().timeName()
+        << "; the entry placement is not used" << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
     if (!isFile(mesh_.time().timePath()/"uniform"/"time"))

@@ -13,7 +13,7 @@ name ends with the names there are.
 
 The tables of this library have the names in the first line that is not a comment. Those of OpenFOAM
 have them in the last comment line; a value in parentheses below `volAverage(U)` has the names
-`volAverage(U) x` and so on, and `Time` is `time`. A table that a restart has begun anew replaces the
+`volAverage(U) x` and so on, and `Time` is `time`. A table that a restart has begun replaces the
 rows of the runs before from its first time on.
 """
 

@@ -2,8 +2,8 @@
 
 import re
 from statistics import median_high as median
+from clumpTables import table
 from results import Results, plt, read, save
-from tables import table
 
 BOX = 20e-6
 
@@ -30,7 +30,7 @@ results = Results()
 figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
 
 for ranks in "124":
-    balance = [row["thirdLaw"] for row in table(ranks, "momentumBalance")]
+    balance = [row["thirdLawError"] for row in table(ranks, "momentumBalance")]
     results.add(f"third law, {ranks} ranks, largest of {len(balance)} steps", max(balance), "", 0,
                 "1e-15",
                 "Newton: what the clumps gain the fluid loses")

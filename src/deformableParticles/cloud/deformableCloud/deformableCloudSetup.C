@@ -8,6 +8,7 @@
 #include "clumpFields.H"
 #include "FlatOutput.H"
 #include "foamCompat.H"
+#include "functionObject.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
@@ -72,6 +73,7 @@ Foam::deformableCloud::deformableCloud
     walls_(mesh, types_, dict_),
     contacting_(mesh, types_, bonds_, contacts_, walls_),
     nSolves_(0),
+    overlaps_(Zero, Zero),
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
 {
@@ -160,6 +162,19 @@ const Foam::deformableCloud& Foam::deformableCloud::find
             << exit(FatalIOError);
     }
     return *cloud;
+}
+
+
+Foam::word Foam::deformableCloud::findName
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    return
+        functionObject::postProcess
+      ? dict.getOrDefault<word>("cloud", "clumps")
+      : find(mesh, dict).name();
 }
 
 
@@ -293,6 +308,8 @@ void Foam::deformableCloud::reportFractions() const
 void Foam::deformableCloud::restart()
 {
     clumpFields::read(*this, types_);
+    Info<< "Read " << nClumps_ << " clumps from time " << mesh_.time().timeName()
+        << "; the entry placement is not used" << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
     if (!isFile(mesh_.time().timePath()/"uniform"/"time"))

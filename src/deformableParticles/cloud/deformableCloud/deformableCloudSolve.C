@@ -19,6 +19,7 @@ void Foam::deformableCloud::solve(const scalar dt)
     }
     addLoads(mesh_.time().value());
 
+    overlaps_ = Pair<scalar>(0, 0);
     if (effects_.active("contact") || effects_.active("walls"))
     {
         advanceTogether(dt);
@@ -202,6 +203,7 @@ void Foam::deformableCloud::advanceTogether(const scalar dt)
     }
 
     contacting_.addReceived();
+    overlaps_ = contacting_.overlaps();
 }
 
 

@@ -22,11 +22,12 @@ namespace
 
 using namespace Foam;
 
-void writeHeader(Ostream& os)
+functionObjects::tableHeader header()
 {
-    os  << "# Clumps that have entered and left" << nl
-        << "# time [s]\tevent\tnumber\ttype\tpatch\tcentre x y z [m]"
-        << "\tvelocity x y z [m/s]\tinside" << nl;
+    functionObjects::tableHeader result("Clumps that have entered and left");
+    result.add("time", "s").add("event").add("number").add("type").add("patch");
+    result.addVector("centre", "m").addVector("velocity", "m/s").add("inside");
+    return result;
 }
 
 }
@@ -49,7 +50,7 @@ Foam::functionObjects::clumpPassages::clumpPassages
 bool Foam::functionObjects::clumpPassages::read(const dictionary& dict)
 {
     checkEntries(dict, {"cloud"}, functionObjectEntries());
-    cloudName_ = deformableCloud::find(mesh_, dict).name();
+    cloudName_ = deformableCloud::findName(mesh_, dict);
     return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }
 
@@ -63,7 +64,7 @@ bool Foam::functionObjects::clumpPassages::execute()
         return true;
     }
 
-    Ostream& os = table_.open(&writeHeader);
+    Ostream& os = table_.open(header());
     for (const clumpPassage& p : count.passages())
     {
         os  << time_.timeOutputValue() << '\t'

@@ -7,6 +7,7 @@
 #include "accuracyLevel.H"
 #include "clumpFields.H"
 #include "FlatOutput.H"
+#include "foamCompat.H"
 #include "functionObject.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
@@ -73,15 +74,8 @@ Foam::deformableCloud::deformableCloud
     contacting_(mesh, types_, bonds_, contacts_, walls_),
     nSolves_(0),
     overlaps_(Zero, Zero),
-    nClumps_(0),
-    count_
-    (
-        IOobject
-        (
-            name + "Count", mesh.time().timeName(), "uniform", mesh.time(),
-            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
-        )
-    )
+    openPatches_(mesh, dict_),
+    count_(mesh, types_, name)
 {
     accuracyLevel::refuseOldEntry(dict_);
 
@@ -92,7 +86,8 @@ Foam::deformableCloud::deformableCloud
         {
             "types", "placement", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation",
-            "couplingScheme", "immersedBoundary", "accuracyLevel"
+            "couplingScheme", "immersedBoundary", "openPatches",
+            "accuracyLevel"
         }
     );
     effects_.decide(dict_, mesh);
@@ -115,14 +110,13 @@ Foam::deformableCloud::deformableCloud
         );
     }
 
-    nClumps_ = returnReduce(size(), sumOp<label>());
-    const bool restarts = nClumps_ > 0;
+    const bool restarts = returnReduce(size(), sumOp<label>()) > 0;
     if (restarts)
     {
-        checkCount();
+        count_.check(size(), cloud::prefix/name);
         restart();
     }
-    else if (count_.getOrDefault<label>("nClumps", -1) == 0)
+    else if (count_.emptied())
     {
         Info<< "The last clump left the domain in an earlier run" << endl;
     }
@@ -130,11 +124,16 @@ Foam::deformableCloud::deformableCloud
     {
         place();
     }
-    count_.set("nClumps", nClumps_);
+    count_.start(size());
     reportFractions();
 
+    if (!openPatches_.empty())
+    {
+        Info<< "Clumps may leave through the patches "
+            << flatOutput(openPatches_.names()) << endl;
+    }
     updateGhosts();
-    if (!restarts && nClumps_)
+    if (!restarts && nClumps())
     {
         checkStart();
     }
@@ -289,8 +288,7 @@ void Foam::deformableCloud::reportFractions() const
     {
         ++numbers[p.typeId()];
     }
-    Pstream::listCombineGather(numbers, plusEqOp<label>());
-    Pstream::listCombineScatter(numbers);
+    reduceList(numbers, plusEqOp<label>());
 
     const Pair<scalar> fractions
     (
@@ -304,32 +302,6 @@ void Foam::deformableCloud::reportFractions() const
     Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
         << ", volume fraction of the clumps "
         << Foam::name(fractions.second()).c_str() << endl;
-}
-
-
-void Foam::deformableCloud::checkCount() const
-{
-    label written = -1;
-    if (!count_.readIfPresent("nClumps", written) || written == nClumps_)
-    {
-        return;
-    }
-
-    labelList numbers(Pstream::nProcs());
-    numbers[Pstream::myProcNo()] = size();
-    Pstream::gatherList(numbers);
-
-    FatalErrorInFunction
-        << "The run that wrote " << mesh_.time().timePath() << " had "
-        << written << " clumps, but " << nClumps_ << " were found";
-    if (Pstream::parRun())
-    {
-        FatalError << ", by processor " << flatOutput(numbers);
-    }
-    FatalError
-        << '.' << nl << "    Files in " << cloud::prefix/name()
-        << " are missing. To continue with the remaining clumps, remove "
-        << count_.instance()/count_.local()/count_.name() << exit(FatalError);
 }
 
 
@@ -356,7 +328,7 @@ void Foam::deformableCloud::restart()
 void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
-    checkCount();
+    count_.check(size(), cloud::prefix/name());
 
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place
@@ -364,6 +336,5 @@ void Foam::deformableCloud::place()
         mesh_, *this, followFlow_
     );
 
-    nClumps_ = returnReduce(size(), sumOp<label>());
-    Info<< "Placed " << nClumps_ << " clumps" << endl;
+    Info<< "Placed " << returnReduce(size(), sumOp<label>()) << " clumps" << endl;
 }

@@ -308,7 +308,8 @@ void Foam::deformableCloud::reportFractions() const
 void Foam::deformableCloud::restart()
 {
     clumpFields::read(*this, types_);
-    Info<< "Read " << nClumps_ << " clumps from time " << mesh_.time().timeName()
+    Info<< "Read " << returnReduce(size(), sumOp<label>())
+        << " clumps from time " << mesh_.time().timeName()
         << "; the entry placement is not used" << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity

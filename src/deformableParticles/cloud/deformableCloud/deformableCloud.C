@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpInjector.H"
 
 void Foam::deformableCloud::evolve
 (
@@ -55,6 +56,7 @@ void Foam::deformableCloud::moveParcels()
     }
     clumpParcel::trackingData td(*this);
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
+    injector_->inject(*this);
 
     nClumps_ = returnReduce(size(), sumOp<label>());
     count_.set("nClumps", nClumps_);

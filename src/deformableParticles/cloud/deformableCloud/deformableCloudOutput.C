@@ -5,6 +5,13 @@
 
 #include "deformableCloud.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
+
+const Foam::clumpInjector& Foam::deformableCloud::injector() const
+{
+    return *injector_;
+}
+
 
 bool Foam::deformableCloud::needsShorterStep() const
 {

@@ -6,6 +6,7 @@
 #include "deformableCloud.H"
 #include "accuracyLevel.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "FlatOutput.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
@@ -88,7 +89,7 @@ Foam::deformableCloud::deformableCloud
     (
         dict_,
         {
-            "types", "placement", "integrator", "contactModel",
+            "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation",
             "couplingScheme", "immersedBoundary", "accuracyLevel"
         }
@@ -130,6 +131,14 @@ Foam::deformableCloud::deformableCloud
     }
     count_.set("nClumps", nClumps_);
     reportFractions();
+    injector_.reset
+    (
+        new clumpInjector
+        (
+            name, dict_, injection::site{mesh, ghosts_, types_, typeIds_}
+        )
+    );
+    injector_->begin(*this);
 
     updateGhosts();
     if (!restarts && nClumps_)
@@ -142,6 +151,10 @@ Foam::deformableCloud::deformableCloud
     }
     decideEffects();
 }
+
+
+Foam::deformableCloud::~deformableCloud()
+{}
 
 
 const Foam::deformableCloud& Foam::deformableCloud::find
@@ -340,6 +353,10 @@ void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
     checkCount();
+    if (!dict_.found("placement") && dict_.found("injection"))
+    {
+        return;
+    }
 
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place

@@ -182,4 +182,5 @@ void Foam::deformableCloud::meshChanged()
     coupling_->boundary().meshChanged();
     walls_.clear();
     injector_->meshChanged();
+    openPatches_.clear();
 }

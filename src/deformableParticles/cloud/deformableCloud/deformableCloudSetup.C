@@ -72,15 +72,8 @@ Foam::deformableCloud::deformableCloud
     walls_(mesh, types_, dict_),
     contacting_(mesh, types_, bonds_, contacts_, walls_),
     nSolves_(0),
-    nClumps_(0),
-    count_
-    (
-        IOobject
-        (
-            name + "Count", mesh.time().timeName(), "uniform", mesh.time(),
-            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
-        )
-    )
+    openPatches_(mesh, dict_),
+    count_(mesh, types_, name)
 {
     accuracyLevel::refuseOldEntry(dict_);
 
@@ -91,7 +84,8 @@ Foam::deformableCloud::deformableCloud
         {
             "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation",
-            "couplingScheme", "immersedBoundary", "accuracyLevel"
+            "couplingScheme", "immersedBoundary", "openPatches",
+            "accuracyLevel"
         }
     );
     effects_.decide(dict_, mesh);
@@ -114,14 +108,13 @@ Foam::deformableCloud::deformableCloud
         );
     }
 
-    nClumps_ = returnReduce(size(), sumOp<label>());
-    const bool restarts = nClumps_ > 0;
+    const bool restarts = returnReduce(size(), sumOp<label>()) > 0;
     if (restarts)
     {
-        checkCount();
+        count_.check(size(), cloud::prefix/name);
         restart();
     }
-    else if (count_.getOrDefault<label>("nClumps", -1) == 0)
+    else if (count_.emptied())
     {
         Info<< "The last clump left the domain in an earlier run" << endl;
     }
@@ -129,7 +122,7 @@ Foam::deformableCloud::deformableCloud
     {
         place();
     }
-    count_.set("nClumps", nClumps_);
+    count_.start(size());
     reportFractions();
     injector_.reset
     (
@@ -140,8 +133,13 @@ Foam::deformableCloud::deformableCloud
     );
     injector_->begin(*this);
 
+    if (!openPatches_.empty())
+    {
+        Info<< "Clumps may leave through the patches "
+            << flatOutput(openPatches_.names()) << endl;
+    }
     updateGhosts();
-    if (!restarts && nClumps_)
+    if (!restarts && nClumps())
     {
         checkStart();
     }
@@ -305,32 +303,6 @@ void Foam::deformableCloud::reportFractions() const
 }
 
 
-void Foam::deformableCloud::checkCount() const
-{
-    label written = -1;
-    if (!count_.readIfPresent("nClumps", written) || written == nClumps_)
-    {
-        return;
-    }
-
-    labelList numbers(Pstream::nProcs());
-    numbers[Pstream::myProcNo()] = size();
-    Pstream::gatherList(numbers);
-
-    FatalErrorInFunction
-        << "The run that wrote " << mesh_.time().timePath() << " had "
-        << written << " clumps, but " << nClumps_ << " were found";
-    if (Pstream::parRun())
-    {
-        FatalError << ", by processor " << flatOutput(numbers);
-    }
-    FatalError
-        << '.' << nl << "    Files in " << cloud::prefix/name()
-        << " are missing. To continue with the remaining clumps, remove "
-        << count_.instance()/count_.local()/count_.name() << exit(FatalError);
-}
-
-
 void Foam::deformableCloud::restart()
 {
     clumpFields::read(*this, types_);
@@ -352,7 +324,7 @@ void Foam::deformableCloud::restart()
 void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
-    checkCount();
+    count_.check(size(), cloud::prefix/name());
     if (!dict_.found("placement") && dict_.found("injection"))
     {
         return;
@@ -364,6 +336,5 @@ void Foam::deformableCloud::place()
         mesh_, *this, followFlow_
     );
 
-    nClumps_ = returnReduce(size(), sumOp<label>());
-    Info<< "Placed " << nClumps_ << " clumps" << endl;
+    Info<< "Placed " << returnReduce(size(), sumOp<label>()) << " clumps" << endl;
 }

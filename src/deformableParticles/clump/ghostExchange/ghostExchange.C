@@ -253,7 +253,7 @@ Foam::UList<Foam::clumpImage>& Foam::ghostExchange::own(const label n)
 }
 
 
-void Foam::ghostExchange::update()
+void Foam::ghostExchange::updateNeighbours()
 {
     images_.setSize(nOwn_);
 
@@ -267,7 +267,11 @@ void Foam::ghostExchange::update()
     {
         findNeighbours(reach);
     }
+}
 
+
+void Foam::ghostExchange::exchange()
+{
     sent_.setSize(neighbours_.size());
     DynamicList<clumpImage> ghosts;
     forAll(neighbours_, n)

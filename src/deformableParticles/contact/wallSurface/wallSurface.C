@@ -255,7 +255,8 @@ bool Foam::wallSurface::nearest
     const point& x,
     const scalar limit,
     scalar& height,
-    vector& away
+    vector& away,
+    vector& inwards
 ) const
 {
     if (empty())
@@ -274,7 +275,7 @@ bool Foam::wallSurface::nearest
     // which side of the wall this is
     const scalar small = 1e-6*limit;
     scalar side = 0;
-    vector inwards(Zero);
+    inwards = Zero;
     const labelList near
     (
         search_->tree().findBox

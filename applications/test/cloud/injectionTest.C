@@ -57,7 +57,7 @@ struct device
         dict.name() = "test:source";
         return selectModel<injection>
         (
-            dict, injection::site{*mesh, *ghosts, types, typeIds}
+            dict, injection::site{*mesh, *ghosts, types, typeIds, false}
         );
     }
 
@@ -344,6 +344,7 @@ TEST_CASE("injection: a clump of a list waits for its place", "[injection]")
         device("type timedList; clumps (" + ball + "0; position (5 0 0); });")
     );
     CHECK_THROWS(device(rateOf(1, "clumpType bull;")));
+    CHECK_THROWS(device(rateOf(1, "clumpType ball;").replace("velocity", "speed")));
     CHECK_THROWS(device(rateOf(1, "clumpType ball;").replace("inlet", "walls")));
 }
 

@@ -64,7 +64,11 @@ void Foam::deformableCloud::moveParcels()
         }
     };
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
-    injector_->inject(*this, count_);
+    if (injector_->inject(*this, count_))
+    {
+        // The distances to the walls were measured without the new clumps
+        walls_.clear();
+    }
 
     count_.endStep(size());
     timing_.endStep

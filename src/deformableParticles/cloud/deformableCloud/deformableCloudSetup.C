@@ -128,7 +128,8 @@ Foam::deformableCloud::deformableCloud
     (
         new clumpInjector
         (
-            name, dict_, injection::site{mesh, ghosts_, types_, typeIds_}
+            name, dict_,
+            injection::site{mesh, ghosts_, types_, typeIds_, hasFluid()}
         )
     );
     injector_->begin(*this);

@@ -111,7 +111,7 @@ Foam::label Foam::clumpInjector::add
 }
 
 
-void Foam::clumpInjector::inject
+Foam::label Foam::clumpInjector::inject
 (
     Cloud<clumpParcel>& clumps,
     clumpCount& count
@@ -119,8 +119,9 @@ void Foam::clumpInjector::inject
 {
     if (empty())
     {
-        return;
+        return 0;
     }
+    const label before = nInjected();
     forAll(injections_, i)
     {
         injection& by = injections_[i];
@@ -140,6 +141,7 @@ void Foam::clumpInjector::inject
         }
     }
     writeState();
+    return nInjected() - before;
 }
 
 

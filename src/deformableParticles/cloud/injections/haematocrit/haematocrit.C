@@ -30,6 +30,12 @@ Foam::clumpInjections::haematocrit::haematocrit
     volume_(0)
 {
     checkEntries(dict, entries({"discharge", "tube", "length"}));
+    if (!tube_ && !s.hasFluid)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'discharge' needs the flow of a fluid; there is none."
+            << exit(FatalIOError);
+    }
     if (tube_ && dict.found("discharge"))
     {
         FatalIOErrorInFunction(dict)

@@ -78,6 +78,17 @@ Foam::label Foam::injection::put
 }
 
 
+void Foam::injection::needVelocity(const dictionary& dict) const
+{
+    if (!site_.hasFluid && !dict.found("velocity"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'velocity' is missing, and there is no fluid whose velocity"
+            << " the clumps could take." << exit(FatalIOError);
+    }
+}
+
+
 Foam::labelHashSet Foam::injection::openPatches(const word& entry) const
 {
     const polyBoundaryMesh& patches = site_.mesh.boundaryMesh();

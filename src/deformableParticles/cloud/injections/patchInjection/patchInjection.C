@@ -54,6 +54,7 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
     due_(0),
     nBatches_(0)
 {
+    needVelocity(dict);
     forAll(shares_, typei)
     {
         if (shares_[typei] > 0 && s.types[typei].fixed())

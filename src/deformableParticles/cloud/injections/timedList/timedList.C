@@ -34,6 +34,7 @@ Foam::clumpInjections::timedList::timedList
     for (const dictionary& d : getDictList(dict, "clumps"))
     {
         checkEntries(d, {"type", "time", "position", "axis", "angle", "velocity"});
+        needVelocity(d);
         const label typeId =
             placement::typeId(d, d.get<word>("type"), s.typeIds);
         const point position(getFinite<point>(d, "position"));

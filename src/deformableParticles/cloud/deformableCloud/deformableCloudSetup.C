@@ -6,6 +6,7 @@
 #include "deformableCloud.H"
 #include "accuracyLevel.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "FlatOutput.H"
 #include "foamCompat.H"
 #include "functionObject.H"
@@ -84,7 +85,7 @@ Foam::deformableCloud::deformableCloud
     (
         dict_,
         {
-            "types", "placement", "integrator", "contactModel",
+            "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation",
             "couplingScheme", "immersedBoundary", "openPatches",
             "accuracyLevel"
@@ -126,6 +127,15 @@ Foam::deformableCloud::deformableCloud
     }
     count_.start(size());
     reportFractions();
+    injector_.reset
+    (
+        new clumpInjector
+        (
+            name, dict_,
+            injection::site{mesh, ghosts_, types_, typeIds_, hasFluid()}
+        )
+    );
+    injector_->begin(*this);
 
     if (!openPatches_.empty())
     {
@@ -143,6 +153,10 @@ Foam::deformableCloud::deformableCloud
     }
     decideEffects();
 }
+
+
+Foam::deformableCloud::~deformableCloud()
+{}
 
 
 const Foam::deformableCloud& Foam::deformableCloud::find
@@ -330,6 +344,10 @@ void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
     count_.check(size(), cloud::prefix/name());
+    if (!dict_.found("placement") && dict_.found("injection"))
+    {
+        return;
+    }
 
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place

@@ -8,6 +8,7 @@
 void Foam::deformableCloud::solve(const scalar dt)
 {
     momentum_ = clumpMomentum();
+    contactSummary_ = contactSummary();
     for (clumpParcel& p : *this)
     {
         if (!coupled())
@@ -202,6 +203,7 @@ void Foam::deformableCloud::advanceTogether(const scalar dt)
     }
 
     contacting_.addReceived();
+    contactSummary_ = contacting_.summary();
 }
 
 

@@ -65,13 +65,11 @@ def outline(tube, low, high):
 def render(x, r, colours, low, high):
     """An image of spheres, and its extents."""
     p = turned(x)
-    left, bottom = (turned(np.array([low, high, [low[0], high[1], low[2]], [high[0], low[1], low[2]],
-                                     [low[0], low[1], high[2]], [high[0], high[1], low[2]],
-                                     [low[0], high[1], high[2]], [high[0], low[1], high[2]]]))
-                    .min(axis=0)[:2] - 5)
-    right, top = (turned(np.array([high, [high[0], high[1], low[2]], [low[0], high[1], high[2]],
-                                   [high[0], high[1], high[2]], [high[0], low[1], high[2]]]))
-                  .max(axis=0)[:2] + 5)
+    ends = np.stack([low, high])
+    corners = turned(np.array([(ends[i, 0], ends[j, 1], ends[k, 2])
+                               for i in (0, 1) for j in (0, 1) for k in (0, 1)]))
+    left, bottom = corners.min(axis=0)[:2] - 5
+    right, top = corners.max(axis=0)[:2] + 5
     w, h = int((right - left)*PIXELS), int((top - bottom)*PIXELS)
     depth = np.full((h, w), -1e9)
     normal = np.zeros((h, w, 3))

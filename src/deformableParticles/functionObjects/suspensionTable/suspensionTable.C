@@ -5,6 +5,7 @@
 
 #include "suspensionTable.H"
 #include "checkedEntries.H"
+#include <cmath>
 #include <limits>
 
 Foam::functionObjects::suspensionTable::suspensionTable
@@ -46,7 +47,10 @@ Foam::scalar Foam::functionObjects::suspensionTable::ratio
     const scalar b
 )
 {
-    return mag(b) < VSMALL ? std::numeric_limits<scalar>::quiet_NaN() : a/b;
+    return
+        std::isnan(a) || std::isnan(b) || mag(b) < VSMALL
+      ? std::numeric_limits<scalar>::quiet_NaN()
+      : a/b;
 }
 
 

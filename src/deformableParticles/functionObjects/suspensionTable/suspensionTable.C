@@ -69,6 +69,7 @@ void Foam::functionObjects::suspensionTable::writeRow
     (
         [this](Ostream& s)
         {
+            s.width(0);
             s   << "# " << title().c_str() << nl << "# time [s]";
             for (const string& column : columns())
             {

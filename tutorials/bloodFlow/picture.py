@@ -1,7 +1,7 @@
 """Draws the clumps of VTK/clumps in their channel, with the profiles of the run:
 
     python3 picture.py tube|slit            result.png: the last time, profiles beside it
-    python3 picture.py tube|slit frames     frames/0000.png, ...: every time, for an animation
+    python3 picture.py tube|slit animation  animation.gif: every time of VTK/clumps
 
 The view is along a line that is tilted by 25 and 20 degrees against z. A sphere shows its own
 surface; darker places are hidden from the light or lie between other clumps. The colour is the
@@ -9,13 +9,13 @@ velocity of the clump along x. Walls are drawn as outlines.
 """
 
 import glob
-import os
 import re
 import sys
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.animation import PillowWriter
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -62,14 +62,12 @@ def outline(tube, low, high):
     return lines
 
 
-def render(x, r, colours, low, high):
-    """An image of spheres, and its extents."""
+def render(x, r, colours, lines):
+    """An image of spheres that has room for lines, and its extents."""
     p = turned(x)
-    ends = np.stack([low, high])
-    corners = turned(np.array([(ends[i, 0], ends[j, 1], ends[k, 2])
-                               for i in (0, 1) for j in (0, 1) for k in (0, 1)]))
-    left, bottom = corners.min(axis=0)[:2] - 5
-    right, top = corners.max(axis=0)[:2] + 5
+    seen = np.concatenate([p - r[:, None], p + r[:, None]] + [turned(line) for line in lines])
+    left, bottom = seen.min(axis=0)[:2] - 0.5
+    right, top = seen.max(axis=0)[:2] + 0.5
     w, h = int((right - left)*PIXELS), int((top - bottom)*PIXELS)
     depth = np.full((h, w), -1e9)
     normal = np.zeros((h, w, 3))
@@ -114,9 +112,10 @@ def draw(axes, path, tube, low, high, speeds):
     number = clump.astype(int)
     mean = np.bincount(number, u)/np.maximum(np.bincount(number), 1)
     share = np.clip((mean[number] - speeds[0])/(speeds[1] - speeds[0]), 0, 1)
-    image, extent = render(x, r, COLOURS[(255*share).astype(int)], low, high)
+    lines = outline(tube, low, high)
+    image, extent = render(x, r, COLOURS[(255*share).astype(int)], lines)
     axes.imshow(image, extent=extent, interpolation="bilinear")
-    for line in outline(tube, low, high):
+    for line in lines:
         q = turned(line)
         axes.plot(q[:, 0], q[:, 1], color="0.35", lw=1, alpha=0.7)
     axes.set_axis_off()
@@ -129,11 +128,11 @@ def rows(table):
     with open(path) as file:
         for line in file:
             cells = line.lstrip("# ").rstrip("\n").split("\t")
-            try:
+            if re.match(r"[-\d]", line):
                 result.append({n: float(c) for n, c in zip(names, cells)})
-            except ValueError:
+            else:
                 names = [re.sub(r" *\[.*", "", cell) for cell in cells]
-    return [row for row in result if "time" in row]
+    return result
 
 
 def profile(last, column):
@@ -146,7 +145,7 @@ def profile(last, column):
 
 
 def main():
-    tube, frames = sys.argv[1] == "tube", "frames" in sys.argv
+    tube, moving = sys.argv[1] == "tube", "animation" in sys.argv
     files = sorted(glob.glob("VTK/clumps/spheres_*.vtp"),
                    key=lambda f: int(re.findall(r"_(\d+)\.vtp", f)[0]))
     with open("VTK/clumps/spheres.vtp.series") as series:
@@ -162,24 +161,27 @@ def main():
     u = read(files[-1])[2]
     speeds = np.percentile(u, [1, 99])
 
-    if frames:
-        os.makedirs("frames", exist_ok=True)
-        for k, path in enumerate(files):
-            figure, axes = plt.subplots(figsize=(10, 6))
-            draw(axes, path, tube, low, high, speeds)
-            axes.set_title(f"{1e3*times[k]:.0f} ms", fontsize=10)
-            figure.savefig(f"frames/{k:04d}.png", dpi=100, bbox_inches="tight")
-            plt.close(figure)
+    if moving:
+        figure, axes = plt.subplots(figsize=(9, 5))
+        film = PillowWriter(fps=12)
+        with film.saving(figure, "animation.gif", dpi=80):
+            for time, path in zip(times, files):
+                axes.clear()
+                draw(axes, path, tube, low, high, speeds)
+                axes.set_title(f"{1e3*time:.0f} ms", fontsize=10)
+                film.grab_frame()
         return
 
-    figure = plt.figure(figsize=(11, 8.2))
-    grid = figure.add_gridspec(2, 3, height_ratios=[2.1, 1], hspace=0.12, wspace=0.35)
+    figure = plt.figure(figsize=(11, 8.6))
+    grid = figure.add_gridspec(2, 3, height_ratios=[2.2, 1], hspace=0.08, wspace=0.35)
     axes = figure.add_subplot(grid[0, :])
     draw(axes, files[-1], tube, low, high, speeds)
     scale = matplotlib.cm.ScalarMappable(
         matplotlib.colors.Normalize(1e3*speeds[0], 1e3*speeds[1]),
         matplotlib.colors.ListedColormap(COLOURS))
     figure.colorbar(scale, ax=axes, shrink=0.5, pad=0.01, label="velocity of the cells [mm/s]")
+    viscosity = rows("apparentViscosity")
+    driven = abs(viscosity[-1]["Ub"]) > 1e-3*np.abs(u).max()
     across = "distance from the axis [um]" if tube else "distance from the lower wall [um]"
     for column, (key, label, factor) in enumerate((("H", "haematocrit", 1),
                                                    ("U", "velocity [mm/s]", 1e3))):
@@ -191,8 +193,15 @@ def main():
         axes.grid(alpha=0.3)
         if key == "H":
             axes.set_ylim(bottom=0)
+        elif driven:
+            # The plain fluid at the same mean velocity
+            Ub = 1e3*viscosity[-1]["Ub"]
+            q = np.linspace(0, high[1] if tube else high[1] - low[1], 50)
+            r = q/high[1] if tube else 2*q/(high[1] - low[1]) - 1
+            axes.plot(q, (2 if tube else 1.5)*Ub*(1 - r**2), "--", color="0.5", lw=1,
+                      label="plain fluid")
+            axes.legend(frameon=False, fontsize=8)
     axes = figure.add_subplot(grid[1, 2])
-    viscosity = rows("apparentViscosity")
     axes.plot([1e3*row["time"] for row in viscosity], [row["muRel"] for row in viscosity],
               color="firebrick", lw=1)
     axes.set_xlabel("time [ms]")

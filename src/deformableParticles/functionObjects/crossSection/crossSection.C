@@ -39,6 +39,18 @@ Foam::functionObjects::crossSection::crossSection
     middle_ = 0.5*(low + high);
     half_ = 0.5*(high - low);
 
+    if (tube_)
+    {
+        // The corners of the faces lie on the wall, not always where it is highest
+        scalar radius = 0;
+        for (const point& p : mesh.points())
+        {
+            const vector x(local(p));
+            radius = max(radius, Foam::sqrt(sqr(x.x()) + sqr(x.y())));
+        }
+        half_.x() = half_.y() = returnReduce(radius, maxOp<scalar>());
+    }
+
     checkVolume(mesh, dict);
 }
 

@@ -74,7 +74,6 @@ Foam::deformableCloud::deformableCloud
     walls_(mesh, types_, dict_),
     contacting_(mesh, types_, bonds_, contacts_, walls_),
     nSolves_(0),
-    overlaps_(Zero, Zero),
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
 {

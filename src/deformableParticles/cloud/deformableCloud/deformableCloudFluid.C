@@ -180,4 +180,5 @@ void Foam::deformableCloud::meshChanged()
 {
     coupling_->boundary().meshChanged();
     walls_.clear();
+    openPatches_.clear();
 }

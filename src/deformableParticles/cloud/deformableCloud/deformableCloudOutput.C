@@ -5,6 +5,7 @@
 
 #include "deformableCloud.H"
 #include "clumpFields.H"
+#include "vector2D.H"
 
 bool Foam::deformableCloud::needsShorterStep() const
 {
@@ -14,6 +15,20 @@ bool Foam::deformableCloud::needsShorterStep() const
         needs = needs || p.step().needsShorterStep;
     }
     return coupled() && returnReduce(needs, orOp<bool>());
+}
+
+
+Foam::Pair<Foam::scalar> Foam::deformableCloud::overlaps() const
+{
+    const vector2D deepest
+    (
+        returnReduce
+        (
+            vector2D(contactSummary_.deepest, contactSummary_.deepestOfWall),
+            maxOp<vector2D>()
+        )
+    );
+    return Pair<scalar>(deepest.x(), deepest.y());
 }
 
 

@@ -38,7 +38,7 @@ void Foam::deformableCloud::solve(const scalar dt)
         clumpStep& step = p.step();
         if (!type(p).fixed())
         {
-            momentum_.addStep(type(p), step.forces, p.state(), step.end);
+            momentum_.addStep(type(p), p.state(), step);
         }
         step.guessed = true;
     }

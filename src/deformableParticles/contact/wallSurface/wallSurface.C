@@ -260,7 +260,8 @@ bool Foam::wallSurface::nearest
     const point& x,
     const scalar limit,
     scalar& height,
-    vector& away
+    vector& away,
+    vector& inwards
 ) const
 {
     if (empty())
@@ -279,7 +280,7 @@ bool Foam::wallSurface::nearest
     // which side of the wall this is
     const scalar small = 1e-6*limit;
     scalar side = 0;
-    vector inwards(Zero);
+    inwards = Zero;
     const labelList near
     (
         search_->tree().findBox

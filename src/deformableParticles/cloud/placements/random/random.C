@@ -5,6 +5,7 @@
 
 #include "random.H"
 #include "clumpPacking.H"
+#include "foamCompat.H"
 #include "givenRotation.H"
 #include "treeDataCell.H"
 #include <cmath>
@@ -48,7 +49,7 @@ quaternion randomTurn(Random& random)
     const scalar y = random.GaussNormal<scalar>();
     const scalar z = random.GaussNormal<scalar>();
     quaternion q(w, vector(x, y, z));
-    q.normalize();
+    normalise(q);
     return q;
 }
 

@@ -36,7 +36,7 @@ for run in main:
     results.report(f"{name}: share of the contacts in the stress",
                    run["contact_Pa"]/run["tau_Pa"], "-", "contactStress")
     results.report(f"{name}: diffusion across, over rate and radius squared",
-                   run["diffusion_m2_s"]/(run["rate"]*RADIUS**2), "-", "clumpDiffusion")
+                   run["diffusion_m2_s"]/(run["rate"]*RADIUS**2), "-", "clumpDiffusion.py")
     results.add(f"{name}: deepest overlap", run["overlap"], "sphere radii", 0, 0.05,
                 "mean over time of the deepest")
     results.add(f"{name}: cells lost", run["cells"] - run["left"], "-", 0, 0, "none may be")

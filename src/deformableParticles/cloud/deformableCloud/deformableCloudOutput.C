@@ -31,7 +31,8 @@ Foam::Pair<Foam::scalar> Foam::deformableCloud::overlaps() const
     (
         returnReduce
         (
-            vector2D(contactSummary_.deepest, contactSummary_.deepestOfWall), maxOp<vector2D>()
+            vector2D(contactSummary_.deepest, contactSummary_.deepestOfWall),
+            maxOp<vector2D>()
         )
     );
     return Pair<scalar>(deepest.x(), deepest.y());

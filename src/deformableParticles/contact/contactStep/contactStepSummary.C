@@ -26,20 +26,23 @@ Foam::contactSummary Foam::contactStep::summary() const
         {
             const touch& t = touches_[k];
             const scalar r = type(a).radii()[t.i];
-            if (t.d <= 0)
+            const bool wall = t.b < 0;
+            const vector dx(displacement(t));
+            const scalar overlap =
+                t.radii - (wall ? (t.n & dx) : mag(before(t) + dx));
+            if (overlap <= 0)
             {
                 continue;
             }
-            if (t.b < 0)
+            if (wall)
             {
-                result.deepestOfWall = max(result.deepestOfWall, t.d/r);
+                result.deepestOfWall = max(result.deepestOfWall, overlap/r);
                 continue;
             }
 
             // Two members have half of the contact each
             const scalar half = isMember_[t.slot] ? 0.5 : 1;
-            const scalar smaller = min(r, t.radii - r);
-            result.deepest = max(result.deepest, t.d/smaller);
+            result.deepest = max(result.deepest, overlap/min(r, t.radii - r));
             result.number += half;
             result.virial +=
                 half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.slot))*t.n;

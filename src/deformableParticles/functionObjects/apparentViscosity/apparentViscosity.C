@@ -43,20 +43,17 @@ bool Foam::functionObjects::apparentViscosity::read(const dictionary& dict)
             << "Entry 'drive' is " << drive << ". Valid: pressure"
             << (section_.tube() ? "" : ", shear") << exit(FatalIOError);
     }
-    if (!cloud().hasFluid())
-    {
-        FatalIOErrorInFunction(dict)
-            << "There is no fluid whose viscosity could be measured"
-            << exit(FatalIOError);
-    }
     return good;
 }
 
 
-Foam::List<Foam::string>
-Foam::functionObjects::apparentViscosity::columns() const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::apparentViscosity::header() const
 {
-    return {"tau [Pa]", "rate [1/s]", "mu [Pa s]", "muRel", "Ub [m/s]"};
+    return
+        tableHeader("Apparent viscosity")
+       .add("tau", "Pa").add("rate", "1/s").add("mu", "Pa.s").add("muRel")
+       .add("Ub", "m/s");
 }
 
 
@@ -93,6 +90,12 @@ void Foam::functionObjects::apparentViscosity::addPatch
 
 bool Foam::functionObjects::apparentViscosity::write()
 {
+    if (!cloud().hasFluid())
+    {
+        FatalErrorInFunction
+            << name() << ": there is no fluid whose viscosity could be measured"
+            << exit(FatalError);
+    }
     scalarList values(sums::number, Zero);
     forAll(mesh_.boundary(), patchi)
     {

@@ -54,19 +54,24 @@ Foam::functionObjects::contactStress::contactStress
 }
 
 
-Foam::List<Foam::string>
-Foam::functionObjects::contactStress::columns() const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::contactStress::header() const
 {
     return
-    {
-        "contacts", "deepest", "wall", "shear [Pa]", "flow [Pa]",
-        "gradient [Pa]", "vorticity [Pa]"
-    };
+        tableHeader("Contacts of clumps")
+       .add("contacts").add("deepest").add("wall").add("shear", "Pa")
+       .add("flow", "Pa").add("gradient", "Pa").add("vorticity", "Pa");
 }
 
 
 bool Foam::functionObjects::contactStress::write()
 {
+    if (functionObject::postProcess)
+    {
+        Info<< name() << ": the contacts of a step are known in the run only; no"
+            << " table is written" << endl;
+        return true;
+    }
     const contactSummary& own = cloud().contacts();
     const vector& e = axes().flow;
     const vector& g = axes().gradient;

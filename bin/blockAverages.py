@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Means and standard errors of the tables of a run, over time.
 
-    bin/blockAverages [-from T] [-to T] [-blocks N] [-by COLUMN] <case> <table> [<column> ...]
+    blockAverages.py [-from T] [-to T] [-blocks N] [-by COLUMN] <case> <table> [<column> ...]
 
-    bin/blockAverages -from 0.02 . apparentViscosity muRel
-    bin/blockAverages -from 0.02 -by bin . clumpProfiles s H U
+    blockAverages.py -from 0.02 . apparentViscosity muRel
+    blockAverages.py -from 0.02 -by bin . clumpProfiles s H U
 
 <table> is a function object of the case; without columns all that hold numbers are averaged. -by
 averages the rows of every value of a column separately, the bins of a profile for example. The
@@ -23,11 +23,9 @@ Rows with nan are left out.
 
 import math
 import sys
-from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent/"validation"/"shared"))
-from tables import table        # noqa: E402
+from clumpTables import table   # noqa: E402
 
 
 def mean(values):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Diffusion of clumps across a flow, from the positions in the table clumpForce.
 
-    bin/clumpDiffusion [-from T] [-to T] [-direction x|y|z] [-period L] [-type NAME] <case>
+    clumpDiffusion.py [-from T] [-to T] [-direction x|y|z] [-period L] [-type NAME] <case>
 
 prints the mean squared displacement over the lag, and at the end the coefficient D:
 
@@ -20,11 +20,9 @@ the shortest lag of interest. The rows must have equal intervals of time.
 
 import math
 import sys
-from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent/"validation"/"shared"))
-from tables import table        # noqa: E402
+from clumpTables import table   # noqa: E402
 
 
 def paths(rows, direction, period):

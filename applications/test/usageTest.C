@@ -15,6 +15,7 @@ Description
 #include "conservationModel.H"
 #include "integrator.H"
 #include "contactModel.H"
+#include "gapModel.H"
 #include "load.H"
 #include "solidFractionModel.H"
 #include "forcingModel.H"
@@ -106,6 +107,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<dampingModel>("bondMechanics/dampingModels");
     run<integrator>("integrators");
     run<contactModel>("contact/contactModels");
+    run<gapModel>("contact/gapModels");
     run<load>("clump/loads");
     run<solidFractionModel>("fluidCoupling/solidFractionModels");
     run<forcingModel>("fluidCoupling/forcingModels");

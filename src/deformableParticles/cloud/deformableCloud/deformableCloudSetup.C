@@ -69,7 +69,8 @@ Foam::deformableCloud::deformableCloud
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
     contacts_(types_, dict_),
     walls_(mesh, types_, dict_),
-    contacting_(mesh, types_, bonds_, contacts_, walls_),
+    gaps_(dict_),
+    contacting_(mesh, types_, bonds_, contacts_, walls_, gaps_),
     nSolves_(0),
     nClumps_(0),
     count_
@@ -89,8 +90,8 @@ Foam::deformableCloud::deformableCloud
         dict_,
         {
             "types", "placement", "integrator", "contactModel",
-            "wallContactModel", "loads", "effects", "rotation",
-            "couplingScheme", "immersedBoundary", "accuracyLevel"
+            "wallContactModel", "lubrication", "aggregation", "loads", "effects",
+            "rotation", "couplingScheme", "immersedBoundary", "accuracyLevel"
         }
     );
     effects_.decide(dict_, mesh);

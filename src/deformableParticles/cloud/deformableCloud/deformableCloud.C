@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpInjector.H"
 
 void Foam::deformableCloud::evolve
 (
@@ -48,22 +49,77 @@ void Foam::deformableCloud::moveParcels()
 
     if (coupled())
     {
-        coupling_->report(*this, nClumps_);
+        coupling_->report(*this, nClumps());
     }
 
+    removeLeaving();
     for (clumpParcel& p : *this)
     {
         p.recentre(type(p));
     }
     clumpParcel::trackingData td(*this);
+    td.reached = [this](const clumpParcel& p, const label patchi)
+    {
+        if (openPatches_.found(patchi))
+        {
+            count_.leave(p, patchi);
+        }
+    };
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
+    if (injector_->inject(*this, count_))
+    {
+        // The distances to the walls were measured without the new clumps; outer
+        // correctors need the walls before they are measured again
+        walls_.clear();
+        if (effects_.active("walls"))
+        {
+            walls_.update(ghosts_);
+        }
+    }
 
-    nClumps_ = returnReduce(size(), sumOp<label>());
-    count_.set("nClumps", nClumps_);
+    count_.endStep(size());
     timing_.endStep
     (
         [&](const char* part) { return effects_.takesPart(part); }
     );
+}
+
+
+void Foam::deformableCloud::removeLeaving()
+{
+    if (openPatches_.empty())
+    {
+        return;
+    }
+    for (clumpParcel& p : *this)
+    {
+        const clumpType& ct = type(p);
+        const openPatches::place at
+        (
+            openPatches_.nearest(ct, p.centres(), ct.reach())
+        );
+        if
+        (
+            at.gap <= 0 && !ct.fixed()
+         && (p.state().velocity(ct) & at.inwards) < 0
+        )
+        {
+            count_.leave(p, at.patchi);
+            deleteParticle(p);
+        }
+    }
+}
+
+
+void Foam::deformableCloud::setPresence()
+{
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        clumpImage& image = ghosts_.images()[index++];
+        image.presence = openPatches_.presence(type(p), image.x);
+        p.step().presence = image.presence;
+    }
 }
 
 
@@ -84,13 +140,16 @@ void Foam::deformableCloud::updateGhosts()
     const timeBreakdown::timer t(timing_, "ghosts");
 
     setOwnImages();
+    ghosts_.updateNeighbours();
+    openPatches_.update(ghosts_);
     if (coupled())
     {
+        setPresence();
         label index = 0;
         for (const clumpParcel& p : *this)
         {
             coupling_->setRotation(ghosts_.images()[index++], p.state());
         }
     }
-    ghosts_.update();
+    ghosts_.exchange();
 }

@@ -79,7 +79,7 @@ void Foam::deformableCloud::decideContact()
     {
         effects_.decide("contact", false, "contactModel none");
     }
-    else if (nClumps_ < 2 && !ghosts_.meetsItself())
+    else if (nClumps() < 2 && !ghosts_.meetsItself())
     {
         effects_.decide("contact", false, "one clump in the domain");
     }

@@ -6,7 +6,10 @@
 #include "deformableCloud.H"
 #include "accuracyLevel.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "FlatOutput.H"
+#include "foamCompat.H"
+#include "functionObject.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
@@ -72,15 +75,8 @@ Foam::deformableCloud::deformableCloud
     gaps_(dict_),
     contacting_(mesh, types_, bonds_, contacts_, walls_, gaps_),
     nSolves_(0),
-    nClumps_(0),
-    count_
-    (
-        IOobject
-        (
-            name + "Count", mesh.time().timeName(), "uniform", mesh.time(),
-            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
-        )
-    )
+    openPatches_(mesh, dict_),
+    count_(mesh, types_, name)
 {
     accuracyLevel::refuseOldEntry(dict_);
 
@@ -89,9 +85,10 @@ Foam::deformableCloud::deformableCloud
     (
         dict_,
         {
-            "types", "placement", "integrator", "contactModel",
+            "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "lubrication", "aggregation", "loads", "effects",
-            "rotation", "couplingScheme", "immersedBoundary", "accuracyLevel"
+            "rotation", "couplingScheme", "immersedBoundary", "openPatches",
+            "accuracyLevel"
         }
     );
     effects_.decide(dict_, mesh);
@@ -114,14 +111,13 @@ Foam::deformableCloud::deformableCloud
         );
     }
 
-    nClumps_ = returnReduce(size(), sumOp<label>());
-    const bool restarts = nClumps_ > 0;
+    const bool restarts = returnReduce(size(), sumOp<label>()) > 0;
     if (restarts)
     {
-        checkCount();
+        count_.check(size(), cloud::prefix/name);
         restart();
     }
-    else if (count_.getOrDefault<label>("nClumps", -1) == 0)
+    else if (count_.emptied())
     {
         Info<< "The last clump left the domain in an earlier run" << endl;
     }
@@ -129,11 +125,25 @@ Foam::deformableCloud::deformableCloud
     {
         place();
     }
-    count_.set("nClumps", nClumps_);
+    count_.start(size());
     reportFractions();
+    injector_.reset
+    (
+        new clumpInjector
+        (
+            name, dict_,
+            injection::site{mesh, ghosts_, types_, typeIds_, hasFluid()}
+        )
+    );
+    injector_->begin(*this);
 
+    if (!openPatches_.empty())
+    {
+        Info<< "Clumps may leave through the patches "
+            << flatOutput(openPatches_.names()) << endl;
+    }
     updateGhosts();
-    if (!restarts && nClumps_)
+    if (!restarts && nClumps())
     {
         checkStart();
     }
@@ -143,6 +153,10 @@ Foam::deformableCloud::deformableCloud
     }
     decideEffects();
 }
+
+
+Foam::deformableCloud::~deformableCloud()
+{}
 
 
 const Foam::deformableCloud& Foam::deformableCloud::find
@@ -162,6 +176,19 @@ const Foam::deformableCloud& Foam::deformableCloud::find
             << exit(FatalIOError);
     }
     return *cloud;
+}
+
+
+Foam::word Foam::deformableCloud::findName
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    return
+        functionObject::postProcess
+      ? dict.getOrDefault<word>("cloud", "clumps")
+      : find(mesh, dict).name();
 }
 
 
@@ -275,8 +302,7 @@ void Foam::deformableCloud::reportFractions() const
     {
         ++numbers[p.typeId()];
     }
-    Pstream::listCombineGather(numbers, plusEqOp<label>());
-    Pstream::listCombineScatter(numbers);
+    reduceList(numbers, plusEqOp<label>());
 
     const Pair<scalar> fractions
     (
@@ -293,35 +319,12 @@ void Foam::deformableCloud::reportFractions() const
 }
 
 
-void Foam::deformableCloud::checkCount() const
-{
-    label written = -1;
-    if (!count_.readIfPresent("nClumps", written) || written == nClumps_)
-    {
-        return;
-    }
-
-    labelList numbers(Pstream::nProcs());
-    numbers[Pstream::myProcNo()] = size();
-    Pstream::gatherList(numbers);
-
-    FatalErrorInFunction
-        << "The run that wrote " << mesh_.time().timePath() << " had "
-        << written << " clumps, but " << nClumps_ << " were found";
-    if (Pstream::parRun())
-    {
-        FatalError << ", by processor " << flatOutput(numbers);
-    }
-    FatalError
-        << '.' << nl << "    Files in " << cloud::prefix/name()
-        << " are missing. To continue with the remaining clumps, remove "
-        << count_.instance()/count_.local()/count_.name() << exit(FatalError);
-}
-
-
 void Foam::deformableCloud::restart()
 {
     clumpFields::read(*this, types_);
+    Info<< "Read " << returnReduce(size(), sumOp<label>())
+        << " clumps from time " << mesh_.time().timeName()
+        << "; the entry placement is not used" << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
     if (!isFile(mesh_.time().timePath()/"uniform"/"time"))
@@ -340,7 +343,11 @@ void Foam::deformableCloud::restart()
 void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
-    checkCount();
+    count_.check(size(), cloud::prefix/name());
+    if (!dict_.found("placement") && dict_.found("injection"))
+    {
+        return;
+    }
 
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place
@@ -348,6 +355,5 @@ void Foam::deformableCloud::place()
         mesh_, *this, followFlow_
     );
 
-    nClumps_ = returnReduce(size(), sumOp<label>());
-    Info<< "Placed " << nClumps_ << " clumps" << endl;
+    Info<< "Placed " << returnReduce(size(), sumOp<label>()) << " clumps" << endl;
 }

@@ -9,6 +9,7 @@ void Foam::deformableCloud::solve(const scalar dt)
 {
     momentum_ = clumpMomentum();
     passing_.clear();
+    contactSummary_ = contactSummary();
     for (clumpParcel& p : *this)
     {
         if (!coupled())
@@ -38,7 +39,7 @@ void Foam::deformableCloud::solve(const scalar dt)
         clumpStep& step = p.step();
         if (!type(p).fixed())
         {
-            momentum_.addStep(type(p), step.forces, p.state(), step.end);
+            momentum_.addStep(type(p), p.state(), step);
         }
         step.guessed = true;
     }
@@ -216,6 +217,7 @@ void Foam::deformableCloud::advanceTogether(const scalar dt)
 
     contacting_.addReceived();
     passing_ = contacting_.passing();
+    contactSummary_ = contacting_.summary();
 }
 
 

@@ -19,6 +19,7 @@ void Foam::clumpImage::set
     typeId = p.typeId();
     id = labelPair(p.origProc(), p.origId());
     shift = Zero;
+    presence = 1;
 
     const point centre(p.position());
     x.setSize(s.x.size());
@@ -46,14 +47,14 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
         << i.owner << token::SPACE << i.index << token::SPACE
         << i.typeId << token::SPACE << i.id << token::SPACE << i.shift
         << token::SPACE << i.x << token::SPACE << i.u << token::SPACE
-        << i.omega << token::SPACE << i.box;
+        << i.omega << token::SPACE << i.box << token::SPACE << i.presence;
 }
 
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpImage& i)
 {
     is  >> i.owner >> i.index >> i.typeId >> i.id >> i.shift >> i.x >> i.u
-        >> i.omega >> i.box;
+        >> i.omega >> i.box >> i.presence;
     i.original = false;
     i.clearSums();
     return is;

@@ -5,6 +5,7 @@
 
 #include "ghostExchange.H"
 #include "cyclicPolyPatch.H"
+#include "foamCompat.H"
 #include "processorCyclicPolyPatch.H"
 #include "IPstream.H"
 #include "OPstream.H"
@@ -15,7 +16,7 @@ namespace
 
 using namespace Foam;
 
-//- Fatal where clumps could not cross or touch a patch: what lies behind it
+//- With the first clump: fatal where clumps could not cross or touch a patch. What lies behind it
 //  would be missing from walls, contacts and forces
 void checkPatches(const polyBoundaryMesh& patches)
 {
@@ -43,10 +44,8 @@ void checkPatches(const polyBoundaryMesh& patches)
             }
         }
     }
-    Pstream::listCombineGather(faces, plusEqOp<label>());
-    Pstream::listCombineScatter(faces);
-    Pstream::listCombineGather(rotates, plusEqOp<label>());
-    Pstream::listCombineScatter(rotates);
+    reduceList(faces, plusEqOp<label>());
+    reduceList(rotates, plusEqOp<label>());
 
     for (label patchi = 0; patchi < n; ++patchi)
     {
@@ -58,13 +57,16 @@ void checkPatches(const polyBoundaryMesh& patches)
 
         if (faces[patchi] && !supported)
         {
-            FatalErrorInFunction
+            FatalIOError
+            (
+                FUNCTION_NAME, __FILE__, __LINE__, patches.objectPath(), 0
+            )
                 << "Patch " << patches[patchi].name() << " is of type " << type
                 << (rotates[patchi] ? " (rotational)" : "")
                 << ". Clumps cannot have images behind such a patch; supported"
                 << " types are wall, patch and translational cyclic." << nl
                 << "    For a plane of symmetry, mesh both sides of it."
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 }
@@ -81,10 +83,8 @@ Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
     nOwn_(0)
 {
     procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
-    Pstream::gatherList(procBoxes_);
-    Pstream::scatterList(procBoxes_);
+    gatherToAll(procBoxes_);
 
-    checkPatches(mesh_.boundaryMesh());
     findShifts();
 }
 
@@ -153,12 +153,11 @@ void Foam::ghostExchange::findShifts()
     }
 
     const auto keepOne = [](const vector& a, const vector&) { return a; };
-    Pstream::mapCombineGather
+    reduceMap
     (
         separations,
         [&](vector& a, const vector& b) { a = keepOne(a, b); }
     );
-    Pstream::mapCombineScatter(separations);
 
     shifts_ = List<vector>(1, vector::zero);
     for (const word& name : separations.sortedToc())
@@ -178,6 +177,10 @@ void Foam::ghostExchange::findShifts()
 void Foam::ghostExchange::findNeighbours(const scalar reach)
 {
     // Widened, so that this need not be repeated when a clump stretches
+    if (reach_ <= 0 && reach > 0)
+    {
+        checkPatches(mesh_.boundaryMesh());
+    }
     reach_ = 1.5*reach;
     neighbours_.clear();
     ++nSearches_;
@@ -253,7 +256,7 @@ Foam::UList<Foam::clumpImage>& Foam::ghostExchange::own(const label n)
 }
 
 
-void Foam::ghostExchange::update()
+void Foam::ghostExchange::updateNeighbours()
 {
     images_.setSize(nOwn_);
 
@@ -267,7 +270,11 @@ void Foam::ghostExchange::update()
     {
         findNeighbours(reach);
     }
+}
 
+
+void Foam::ghostExchange::exchange()
+{
     sent_.setSize(neighbours_.size());
     DynamicList<clumpImage> ghosts;
     forAll(neighbours_, n)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface.H"
+#include "faceTriangles.H"
 #include "wallPolyPatch.H"
 #include "IPstream.H"
 #include "OPstream.H"
@@ -52,13 +53,7 @@ void Foam::wallSurface::collect
 
     for (const face& f : faces)
     {
-        const point centre(f.centre(points));
-        forAll(f, k)
-        {
-            corners.append(points[f[k]]);
-            corners.append(points[f.nextLabel(k)]);
-            corners.append(centre);
-        }
+        corners.append(faceTriangles(f, points));
     }
 
     // What a clump on another processor, or behind a periodic boundary, may feel
@@ -207,7 +202,8 @@ bool Foam::wallSurface::nearest
     const point& x,
     const scalar limit,
     scalar& height,
-    vector& away
+    vector& away,
+    vector& inwards
 ) const
 {
     if (empty())
@@ -226,7 +222,7 @@ bool Foam::wallSurface::nearest
     // which side of the wall this is
     const scalar small = 1e-6*limit;
     scalar side = 0;
-    vector inwards(Zero);
+    inwards = Zero;
     const labelList near
     (
         search_->tree().findBox

@@ -15,6 +15,7 @@ void Foam::coveredCells::update
     const clumpImage& image
 )
 {
+    presence_ = image.presence;
     if (image.typeId == typeId_ && image.x == centres_)
     {
         return;

@@ -109,6 +109,8 @@ void Foam::fluidCoupling::integrate
 void Foam::fluidCoupling::takeForces(clumpParcel& p, clumpImage& image) const
 {
     image.dilation.removeFromForces(image.force, image.torque);
+    image.force /= image.presence;
+    image.torque /= image.presence;
     p.fluidForces() = image.force;
     p.fluidTorques() = Zero;
 }
@@ -158,7 +160,7 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
         return vectorField(s.u.size(), Zero);
     }
     return
-        rho_*types_[p.typeId()].volumes()/dt
+        p.step().presence*rho_*types_[p.typeId()].volumes()/dt
        *(p.step().imposedU - s.u + mesh_.time().deltaT0Value()*s.a);
 }
 
@@ -193,7 +195,7 @@ void Foam::fluidCoupling::addForces
     {
         ext.f += interiorForces(p, dt);
         ext.t +=
-            0.4*rho_/dt*type.volumes()*sqr(type.radii())
+            0.4*step.presence*rho_/dt*type.volumes()*sqr(type.radii())
            *(step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b);
     }
 }

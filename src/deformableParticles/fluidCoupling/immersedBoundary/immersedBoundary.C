@@ -7,6 +7,20 @@
 #include "sphereUnion.H"
 #include "fvmSup.H"
 #include "zeroGradientFvPatchFields.H"
+#include "mathematicalConstants.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Radius [m] of a sphere of the volume of a clump
+scalar volumeRadius(const clumpType& type)
+{
+    return Foam::cbrt(0.75*type.volume()/constant::mathematical::pi);
+}
+
+}
 
 Foam::immersedBoundary::immersedBoundary
 (
@@ -116,7 +130,7 @@ void Foam::immersedBoundary::addFractions(const coveredCells& c)
     for (const coveredCell& cell : c.cells())
     {
         scalar& sum = sumLambda_[cell.celli];
-        sum += cell.lambda;
+        sum += c.presence()*cell.lambda;
         solidFraction_[cell.celli] = min(sum, scalar(1));
     }
 }
@@ -141,8 +155,54 @@ void Foam::immersedBoundary::setStrengths(const volScalarField& nu)
             const label celli = cell.celli;
             sumShare_[celli] += cell.share;
             cell.solid =
-                solidFraction_[celli]*cell.lambda
+                solidFraction_[celli]*c.presence()*cell.lambda
                /max(sumLambda_[celli], VSMALL);
+        }
+    }
+}
+
+
+void Foam::immersedBoundary::fade(const volScalarField& nu)
+{
+    bool whole = true;
+    for (const coveredCells& c : covered_)
+    {
+        whole = whole && c.presence() == 1;
+    }
+    if (whole)
+    {
+        return;
+    }
+
+    // Shares become strengths, which add up
+    for (coveredCells& c : covered_)
+    {
+        const scalar phi = c.presence();
+        const scalar kappa = 4.5/sqr(volumeRadius(types_[c.typeId()]));
+        for (coveredCell& cell : c.cells())
+        {
+            const label celli = cell.celli;
+            const scalar S =
+                strength_[celli]*cell.share/max(sumShare_[celli], VSMALL);
+            const scalar porous = phi*kappa*nu[celli];
+            cell.share =
+                S*porous/(porous + (1 - phi)*S)
+               *(cell.lambda + (1 - cell.lambda)*pow4(phi));
+        }
+    }
+    for (const coveredCells& c : covered_)
+    {
+        for (const coveredCell& cell : c.cells())
+        {
+            strength_[cell.celli] = 0;
+        }
+    }
+    for (const coveredCells& c : covered_)
+    {
+        for (const coveredCell& cell : c.cells())
+        {
+            strength_[cell.celli] += cell.share;
+            sumShare_[cell.celli] = strength_[cell.celli];
         }
     }
 }
@@ -180,6 +240,7 @@ void Foam::immersedBoundary::update
         addFractions(covered_[a]);
     }
     setStrengths(nu);
+    fade(nu);
     if (dilates_)
     {
         setDilations(images);

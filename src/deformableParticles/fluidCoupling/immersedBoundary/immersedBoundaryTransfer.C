@@ -8,6 +8,19 @@
 
 // Transfer between the spheres of the clumps and the cells of the mesh
 
+namespace
+{
+
+using namespace Foam;
+
+//- Reaction of the forcing [N/m3]
+vector reaction(const hydrodynamicForceModel::flow& f, const label celli)
+{
+    return f.rho*f.strength[celli]*(f.U[celli] - f.solidVelocity[celli]);
+}
+
+}
+
 template<class Images, class Action>
 void Foam::immersedBoundary::visit(Images& images, const Action& action) const
 {
@@ -162,7 +175,15 @@ void Foam::immersedBoundary::integrate
             const coveredCell& c, const scalar* w, const scalar share
         )
         {
-            const vector F(c.volume*share*(*forceModel_)(flow, c.celli));
+            vector density((*forceModel_)(flow, c.celli));
+            if (covered.presence() < 1)
+            {
+                // Divided by the presence later, which other models do not bear
+                const scalar phi = covered.presence();
+                density =
+                    phi*density + (1 - phi)*reaction(flow, c.celli);
+            }
+            const vector F(c.volume*share*density);
             const scalar P = dilates_ ? c.volume*c.solid*rho*p[c.celli] : 0;
 
             forAll(image.x, i)

@@ -146,7 +146,7 @@ Foam::functionObjects::vtkClumps::vtkClumps
 bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
 {
     checkEntries(dict, {"cloud"}, functionObjectEntries());
-    cloudName_ = deformableCloud::find(mesh_, dict).name();
+    cloudName_ = deformableCloud::findName(mesh_, dict);
     return fvMeshFunctionObject::read(dict);
 }
 

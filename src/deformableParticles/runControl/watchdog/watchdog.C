@@ -6,6 +6,7 @@
 #include "watchdog.H"
 #include "checkedEntries.H"
 #include "flowDriving.H"
+#include "foamCompat.H"
 #include "fvcDiv.H"
 #include "StringStream.H"
 
@@ -43,8 +44,7 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
     }
     List<string> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = what;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    gatherToAll(all);
 
     string said;
     for (const string& s : all)
@@ -85,8 +85,7 @@ Foam::string Foam::watchdog::place
     }
     scalarList all(Pstream::nProcs(), scalar(-1));
     all[Pstream::myProcNo()] = most;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    gatherToAll(all);
     label owner = 0;
     forAll(all, i)
     {

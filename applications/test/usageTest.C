@@ -17,6 +17,7 @@ Description
 #include "conservationModel.H"
 #include "integrator.H"
 #include "contactModel.H"
+#include "gapModel.H"
 #include "load.H"
 #include "solidFractionModel.H"
 #include "forcingModel.H"
@@ -108,6 +109,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<dampingModel>("bondMechanics/dampingModels");
     run<integrator>("integrators");
     run<contactModel>("contact/contactModels");
+    run<gapModel>("contact/gapModels");
     run<load>("clump/loads");
     run<solidFractionModel>("fluidCoupling/solidFractionModels");
     run<forcingModel>("fluidCoupling/forcingModels");

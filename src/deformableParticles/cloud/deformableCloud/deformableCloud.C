@@ -20,11 +20,17 @@ void Foam::deformableCloud::evolve
     gatherForces(U, p, nu);
     decideEffects();
     solve(mesh_.time().deltaTValue());
+    accept();
+}
 
+
+void Foam::deformableCloud::accept()
+{
     for (clumpParcel& parcel : *this)
     {
         parcel.accept();
     }
+    contacting_.forget();
 }
 
 
@@ -33,11 +39,7 @@ void Foam::deformableCloud::evolve()
     updateGhosts();
     decideEffects();
     solve(mesh_.time().deltaTValue());
-
-    for (clumpParcel& parcel : *this)
-    {
-        parcel.accept();
-    }
+    accept();
 }
 
 

@@ -72,7 +72,8 @@ Foam::deformableCloud::deformableCloud
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
     contacts_(types_, dict_),
     walls_(mesh, types_, dict_),
-    contacting_(mesh, types_, bonds_, contacts_, walls_),
+    gaps_(dict_),
+    contacting_(mesh, types_, bonds_, contacts_, walls_, gaps_),
     nSolves_(0),
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
@@ -85,8 +86,8 @@ Foam::deformableCloud::deformableCloud
         dict_,
         {
             "types", "placement", "injection", "integrator", "contactModel",
-            "wallContactModel", "loads", "effects", "rotation",
-            "couplingScheme", "immersedBoundary", "openPatches",
+            "wallContactModel", "lubrication", "aggregation", "loads", "effects",
+            "rotation", "couplingScheme", "immersedBoundary", "openPatches",
             "accuracyLevel"
         }
     );

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpInjector.H"
 
 void Foam::deformableCloud::evolve
 (
@@ -63,6 +64,16 @@ void Foam::deformableCloud::moveParcels()
         }
     };
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
+    if (injector_->inject(*this, count_))
+    {
+        // The distances to the walls were measured without the new clumps; outer
+        // correctors need the walls before they are measured again
+        walls_.clear();
+        if (effects_.active("walls"))
+        {
+            walls_.update(ghosts_);
+        }
+    }
 
     count_.endStep(size());
     timing_.endStep

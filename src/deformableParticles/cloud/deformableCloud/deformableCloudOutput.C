@@ -5,7 +5,14 @@
 
 #include "deformableCloud.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "vector2D.H"
+
+const Foam::clumpInjector& Foam::deformableCloud::injector() const
+{
+    return *injector_;
+}
+
 
 bool Foam::deformableCloud::needsShorterStep() const
 {
@@ -24,7 +31,7 @@ Foam::Pair<Foam::scalar> Foam::deformableCloud::overlaps() const
     (
         returnReduce
         (
-            vector2D(overlaps_.first(), overlaps_.second()), maxOp<vector2D>()
+            vector2D(contactSummary_.deepest, contactSummary_.deepestOfWall), maxOp<vector2D>()
         )
     );
     return Pair<scalar>(deepest.x(), deepest.y());

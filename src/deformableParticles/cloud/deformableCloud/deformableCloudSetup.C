@@ -6,6 +6,7 @@
 #include "deformableCloud.H"
 #include "accuracyLevel.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "FlatOutput.H"
 #include "foamCompat.H"
 #include "functionObject.H"
@@ -73,7 +74,6 @@ Foam::deformableCloud::deformableCloud
     walls_(mesh, types_, dict_),
     contacting_(mesh, types_, bonds_, contacts_, walls_),
     nSolves_(0),
-    overlaps_(Zero, Zero),
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
 {
@@ -84,7 +84,7 @@ Foam::deformableCloud::deformableCloud
     (
         dict_,
         {
-            "types", "placement", "integrator", "contactModel",
+            "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "loads", "effects", "rotation",
             "couplingScheme", "immersedBoundary", "openPatches",
             "accuracyLevel"
@@ -126,6 +126,15 @@ Foam::deformableCloud::deformableCloud
     }
     count_.start(size());
     reportFractions();
+    injector_.reset
+    (
+        new clumpInjector
+        (
+            name, dict_,
+            injection::site{mesh, ghosts_, types_, typeIds_, hasFluid()}
+        )
+    );
+    injector_->begin(*this);
 
     if (!openPatches_.empty())
     {
@@ -143,6 +152,10 @@ Foam::deformableCloud::deformableCloud
     }
     decideEffects();
 }
+
+
+Foam::deformableCloud::~deformableCloud()
+{}
 
 
 const Foam::deformableCloud& Foam::deformableCloud::find
@@ -330,6 +343,10 @@ void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
     count_.check(size(), cloud::prefix/name());
+    if (!dict_.found("placement") && dict_.found("injection"))
+    {
+        return;
+    }
 
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place

@@ -8,6 +8,7 @@
 void Foam::deformableCloud::solve(const scalar dt)
 {
     momentum_ = clumpMomentum();
+    contactSummary_ = contactSummary();
     for (clumpParcel& p : *this)
     {
         if (!coupled())
@@ -19,7 +20,6 @@ void Foam::deformableCloud::solve(const scalar dt)
     }
     addLoads(mesh_.time().value());
 
-    overlaps_ = Pair<scalar>(0, 0);
     if (effects_.active("contact") || effects_.active("walls"))
     {
         advanceTogether(dt);
@@ -203,7 +203,7 @@ void Foam::deformableCloud::advanceTogether(const scalar dt)
     }
 
     contacting_.addReceived();
-    overlaps_ = contacting_.overlaps();
+    contactSummary_ = contacting_.summary();
 }
 
 

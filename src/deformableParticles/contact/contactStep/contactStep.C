@@ -106,30 +106,6 @@ Foam::scalar Foam::contactStep::deviation() const
 }
 
 
-Foam::Pair<Foam::scalar> Foam::contactStep::overlaps() const
-{
-    Pair<scalar> result(0, 0);
-    forAll(members_, m)
-    {
-        const label a = clumpOf_[m];
-        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
-        {
-            const touch& t = touches_[k];
-            const bool wall = t.b < 0;
-            const vector dx(displacement(t));
-            const scalar overlap =
-                t.radii - (wall ? (t.n & dx) : mag(before(t) + dx));
-            const scalar r = type(a).radii()[t.i];
-            const scalar other = wall ? r : t.radii - r;
-
-            scalar& deepest = wall ? result.second() : result.first();
-            deepest = max(deepest, overlap/min(r, other));
-        }
-    }
-    return result;
-}
-
-
 void Foam::contactStep::addReceived()
 {
     forAll(members_, m)

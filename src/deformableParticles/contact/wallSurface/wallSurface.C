@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface.H"
+#include "faceTriangles.H"
 #include "wallPolyPatch.H"
 #include "IPstream.H"
 #include "OPstream.H"
@@ -163,13 +164,7 @@ void Foam::wallSurface::collect
 
     for (const face& f : faces)
     {
-        const point centre(f.centre(points));
-        forAll(f, k)
-        {
-            corners.append(points[f[k]]);
-            corners.append(points[f.nextLabel(k)]);
-            corners.append(centre);
-        }
+        corners.append(faceTriangles(f, points));
     }
 
     // What a clump on another processor, or behind a periodic boundary, may feel

@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 # The trap, from constant/triSurface/trap.stl [um], and its pocket
-POST = [(20, 4.5), (26, 4.5), (26, 1.25), (29, 1.25), (29, 7), (20, 7)]
+POST = [(20, 4.5), (26, 4.5), (26, 0.75), (29, 0.75), (29, 7), (20, 7)]
 POCKET = (18, 29), (-4.5, 4.5)
 SLOW = 0.05             # of a caught cell, to the mean velocity of the flow
 MEAN = 1e-3             # [m/s]

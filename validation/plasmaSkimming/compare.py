@@ -32,12 +32,15 @@ for row in read("data.csv"):
 
     # Of a count of independent cells
     error = math.sqrt(max(share*(1 - share), 1/cells)/cells)
-    results.add(f"fraction of the cells at {flow:g} of the flow", share, "-", law(flow), 0.06,
-                SOURCE)
-    results.report(f"its standard deviation with {cells:g} cells", error, "-", "binomial")
-    axes.errorbar([flow], [share], [error], fmt="o", color="C3", capsize=3)
+    name = f"fraction of the cells at {flow:g} of the flow, D/dx {row['D_dx']:g}"
+    results.add(name, share, "-", law(flow), 0.06, SOURCE)
+    results.report(f"standard deviation of {cells:g} cells", error, "-", "binomial")
+    axes.errorbar([flow], [share], [error], capsize=3, label=f"D/dx {row['D_dx']:g}",
+                  **({"fmt": "o", "color": "C3"} if row["D_dx"] == 4
+                     else {"fmt": "s", "color": "C0"}))
 axes.set_xlabel("fraction of the flow")
 axes.set_ylabel("fraction of the cells")
-axes.legend()
+handles = dict(zip(*reversed(axes.get_legend_handles_labels())))
+axes.legend(handles.values(), handles.keys())
 save(figure, "plasmaSkimming.png")
 results.write()

@@ -67,12 +67,11 @@ struct device
         const label celli = mesh->findCell(position);
         if (celli >= 0 && Pstream::master())
         {
+            clumpState state(types[typeId]);
+            state.setRigidMotion(types[typeId], vector(0.1, 0, 0), Zero);
             clumps->addParticle
             (
-                new clumpParcel
-                (
-                    *mesh, position, celli, typeId, clumpState(types[typeId])
-                )
+                new clumpParcel(*mesh, position, celli, typeId, state)
             );
             clumps->last()->origProc() = 0;
             clumps->last()->origId() = number;
@@ -388,11 +387,20 @@ TEST_CASE("injection: a stretch repeats itself", "[injection]")
     d.source->readState(state);
     d.clumps->clear();
     d.add(1, point(10e-6, 5e-6, 5e-6), copy);
-    d.add(1, point(3e-6, 5e-6, 5e-6), 99);
+    d.add(1, point(2.5e-6, 5e-6, 5e-6), 99);
     CHECK(d.step() == 0);
     CHECK(d.source->nWaiting() == 1);
     d.clumps->clear();
     d.add(1, point(11e-6, 5e-6, 5e-6), copy);
     CHECK(d.step() == 1);
     CHECK(d.source->nWaiting() == 0);
+
+    // It waited: it touches the inlet
+    if (d.clumps->size())
+    {
+        CHECK
+        (
+            mag(d.clumps->last()->position() - point(1e-6, 5e-6, 5e-6)) < 1e-15
+        );
+    }
 }

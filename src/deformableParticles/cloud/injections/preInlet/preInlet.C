@@ -20,6 +20,17 @@ namespace clumpInjections
 namespace
 {
 
+//- Radius of the smallest sphere [m]
+Foam::scalar smallestRadius(const Foam::PtrList<Foam::clumpType>& types)
+{
+    Foam::scalar r = Foam::GREAT;
+    for (const Foam::clumpType& type : types)
+    {
+        r = Foam::min(r, Foam::min(type.radii()));
+    }
+    return r;
+}
+
 //- Overlap with the ends of the stretch at the start, in radii, that a packing may
 //  have left
 const Foam::scalar slack = 0.05;
@@ -36,13 +47,18 @@ Foam::clumpInjections::preInlet::preInlet
     injection(dict, s),
     patches_(openPatches("patches")),
     length_(getPositive(dict, "length")),
+    gap_
+    (
+       -getNonNegativeOrDefault(dict, "maxOverlap", 0.1)
+       *smallestRadius(s.types)
+    ),
     normal_(Zero),
     centre_(Zero),
     radius_(0),
     nWaiting_(0),
     nLost_(0)
 {
-    checkEntries(dict, {"type", "patches", "length", "minGap"});
+    checkEntries(dict, {"type", "patches", "length", "maxOverlap"});
     if (patches_.size() != 1)
     {
         FatalIOErrorInFunction(dict)
@@ -59,8 +75,7 @@ Foam::clumpInjections::preInlet::preInlet
     (
         new freePlaces
         (
-            s.mesh, s.ghosts, s.types, labelHashSet(), around(box),
-            getNonNegativeOrDefault(dict, "minGap", 0)
+            s.mesh, s.ghosts, s.types, labelHashSet(), around(box), gap_
         )
     );
 }
@@ -133,6 +148,19 @@ void Foam::clumpInjections::preInlet::begin
 }
 
 
+Foam::scalar Foam::clumpInjections::preInlet::shift
+(
+    const clumpParcel& p,
+    const scalar d
+) const
+{
+    // In the step in which it leaves the stretch it is no farther than it has moved
+    const scalar moved =
+        max(p.state().u & normal_)*site_.mesh.time().deltaTValue();
+    return d - length_ > 2*moved ? d : length_;
+}
+
+
 Foam::List<Foam::clumpCandidate> Foam::clumpInjections::preInlet::leaving
 (
     const Cloud<clumpParcel>& clumps
@@ -141,11 +169,12 @@ Foam::List<Foam::clumpCandidate> Foam::clumpInjections::preInlet::leaving
     List<clumpCandidate> result;
     for (const clumpParcel& p : clumps)
     {
-        if (members_.found(p.origId()) && distances(p).first() >= length_)
+        const scalar d = distances(p).first();
+        if (members_.found(p.origId()) && d >= length_)
         {
             clumpCandidate c;
             c.typeId = p.typeId();
-            c.position = p.position() - length_*normal_;
+            c.position = p.position() - shift(p, d)*normal_;
             c.state = p.state();
             c.index = p.origId();
             c.couplingFactor = p.couplingFactor();

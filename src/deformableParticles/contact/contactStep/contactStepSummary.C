@@ -32,7 +32,11 @@ Foam::contactSummary Foam::contactStep::summary() const
                 t.radii - (wall ? (t.n & dx) : mag(before(t) + dx));
             if (wall)
             {
-                result.deepestOfWall = max(result.deepestOfWall, overlap/r);
+                // A plane beyond the edge of its wall is not touched
+                if (t.touches)
+                {
+                    result.deepestOfWall = max(result.deepestOfWall, overlap/r);
+                }
                 continue;
             }
 

@@ -27,6 +27,7 @@ Description
     Options
     \verbatim
         -estimate       runs a few steps and prints what the case will cost
+        -quiet          prints warnings and lines of progress instead of each step
         -resistance <n> measures the hydrodynamic resistance of the clump with the
                         number n and nothing else, see resistanceMeasurement
         -steps <n>      with -resistance: steps from rest, default 20

@@ -2,8 +2,8 @@
 convergence; figure."""
 import math
 
+from clumpTables import table
 from results import Results, plt, read, save
-from tables import table
 
 REFERENCE = "reference/beam_ring_references.csv"
 cases = {}

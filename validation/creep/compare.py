@@ -2,8 +2,8 @@
 figure."""
 import math
 
+from clumpTables import table
 from results import Results, plt, read, save, write_table
-from tables import table
 
 REST = 7.82e-6
 out = Results()

@@ -1,8 +1,8 @@
 """Largest difference of force and position of the cell over all steps, relative to drag and cell
 size."""
 
+from clumpTables import table
 from results import Results, write_table
-from tables import table
 
 CELL = 7.82e-6
 

@@ -11,8 +11,6 @@ def last_quarter(run):
     return mean([r["velocity_m_s"] for r in read(run["file"]) if r["t_s"] > 0.75*run["end_s"]])
 
 
-# More than a mesh cell per step, see the README
-known = {(1000, 2, "no", 0.01): 0.0157685}
 results = Results()
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2))
 runs = read("data.csv")
@@ -32,8 +30,7 @@ for run in settling:
                     f"outer correctors"
                     + (", pressure extrapolated" if run["extrapolated"] == "yes" else ""),
                     velocity, "m/s", last_quarter(fine[ratio]), "0.1%" if ratio <= 8 else "1%",
-                    "step 1e-5",
-                    known.get((ratio, run["outer"], run["extrapolated"], run["end_s"])))
+                    "step 1e-5")
 
 for colour, ratio in enumerate(r for r in fine if r != 1):
     for run in settling:

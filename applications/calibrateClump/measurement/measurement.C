@@ -132,13 +132,20 @@ Foam::measurement::measurement
             p.abscissa = abscissas_.size() - 1;
             p.quantity = q;
             p.value = unit*table.number(row, column);
-            p.error = getPositive(v, "relativeError")*mag(p.value);
             p.line = table.line(row);
-
-            const scalar given = unit*errorBar(table, row, v);
-            if (given > 0)
+            p.error = unit*errorBar(table, row, v);
+            if (p.error <= 0)
             {
-                p.error = given;
+                if (!v.found("relativeError"))
+                {
+                    table.fail
+                    (
+                        row,
+                        "there is no error bar for " + quantities_[q]
+                      + "; give the entry relativeError for such rows"
+                    );
+                }
+                p.error = getPositive(v, "relativeError")*mag(p.value);
             }
             points_.append(p);
         }

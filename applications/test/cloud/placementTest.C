@@ -5,6 +5,7 @@
 
 #include "catch2/catch.hpp"
 #include "testCase.H"
+#include "foamCompat.H"
 #include "placement.H"
 
 using namespace Foam;
@@ -75,12 +76,9 @@ struct placedClumps
             k[me].append(p.origId());
             x[me].append(p.centres());
         }
-        Pstream::gatherList(t);
-        Pstream::scatterList(t);
-        Pstream::gatherList(k);
-        Pstream::scatterList(k);
-        Pstream::gatherList(x);
-        Pstream::scatterList(x);
+        gatherToAll(t);
+        gatherToAll(k);
+        gatherToAll(x);
         forAll(t, proci)
         {
             typeOf.append(t[proci]);

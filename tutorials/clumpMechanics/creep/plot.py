@@ -1,17 +1,23 @@
-"""Normalised creep compliance (Eq. 14 of the paper) over time."""
-import os
-import sys
+"""Length of the red cell and its normalised creep compliance (Eq. 14 of the paper) over time."""
+from clumpTables import table
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../validation"))
-import results as r
+DIAMETER = 7.82e-6      # at rest
 
-shape = r.clump_shape()
-rest = 7.82e-6
-final = shape[-1][1][0]
+shape = table(".", "clumpShape")
+time = [row["time"] for row in shape]
+length = [row["Lx"] for row in shape]
+final = length[-1]
+compliance = [(final - x)/(final - DIAMETER) for x in length]
 
-fig, axes = r.figure(1, 1, 5, 3.6)
-ax = axes[0][0]
-ax.plot([s[0] for s in shape], [(final - s[1][0])/(final - rest) for s in shape])
-ax.set(xlabel="time (s)", ylabel="normalised creep compliance")
-r.save(fig, "result.png")
-print("Wrote result.png")
+figure, axes = plt.subplots(figsize=(5, 3.6))
+axes.plot(time, compliance)
+axes.set(xlabel="time (s)", ylabel="normalised creep compliance")
+figure.tight_layout()
+figure.savefig("result.png", dpi=120)
+
+half = next(t for t, c in zip(time, compliance) if c < 0.5)
+print(f"length at the end {1e6*final:.3f} um, half of the elongation after {1e3*half:.0f} ms")
+print("Picture: result.png")

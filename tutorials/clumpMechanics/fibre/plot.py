@@ -1,23 +1,24 @@
 """Deflection of the fibre over time, with the elastica."""
-import os
-import sys
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../validation"))
-import results as r
+from clumpTables import table
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
 
 # Tip deflection of a cantilever of length L under P L^2/EI = 1 (Bisshopp & Drucker 1945), by the
 # shooting method
 ELASTICA = 0.30172
-LENGTH = 16.0
-RADIUS = 1.0
-shape = r.clump_shape()
+LENGTH = 16.0           # um
+RADIUS = 1.0            # um
 
-fig, axes = r.figure(1, 1, 5, 3.6)
-ax = axes[0][0]
-ax.plot([1e3*s[0] for s in shape], [1e6*s[1][1] - 2*RADIUS for s in shape], label="fibre")
-ax.axhline(ELASTICA*LENGTH, color="0.4", ls="--", label="elastica")
-ax.set(xlabel="time (ms)", ylabel="deflection (um)")
-ax.legend()
-r.save(fig, "result.png")
-print(f"Deflection {1e6*shape[-1][1][1] - 2*RADIUS:.4f} um, elastica {ELASTICA*LENGTH:.4f} um; "
-      "wrote result.png")
+shape = table(".", "clumpShape")
+deflection = [1e6*row["Ly"] - 2*RADIUS for row in shape]
+
+figure, axes = plt.subplots(figsize=(5, 3.6))
+axes.plot([1e3*row["time"] for row in shape], deflection, label="fibre")
+axes.axhline(ELASTICA*LENGTH, color="0.4", ls="--", label="elastica")
+axes.set(xlabel="time (ms)", ylabel="deflection (um)")
+axes.legend()
+figure.tight_layout()
+figure.savefig("result.png", dpi=120)
+print(f"deflection {deflection[-1]:.4f} um, elastica {ELASTICA*LENGTH:.4f} um")
+print("Picture: result.png")

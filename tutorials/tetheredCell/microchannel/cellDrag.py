@@ -19,19 +19,6 @@ mu = 1.2e-3            # Pa s, so um/s and pN go together through pN s/um^2 = Pa
 height, length, width = 50.0, 50.0, 25.0
 
 
-def last_rows(name, case='.'):
-    """Last row per clump type of a clump table of the case, in the newest time directory."""
-    def start(path):
-        return float(path.split('/')[-2])
-    path = sorted(glob.glob('%s/postProcessing/%s/*/%s*.dat' % (case, name, name)), key=start)[-1]
-    rows = {}
-    for line in open(path):
-        if not line.startswith('#'):
-            columns = line.split()
-            rows[columns[2]] = np.array([float(columns[0])] + [float(c) for c in columns[3:]])
-    return rows
-
-
 def spheres(case='.'):
     """Centres, radii [um] and clump numbers at the last time the case wrote."""
     files = glob.glob('%s/VTK/clumps/spheres_*.vtp' % case)

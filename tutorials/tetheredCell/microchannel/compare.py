@@ -4,20 +4,27 @@ reference (cellDrag.py)."""
 
 import sys
 import numpy as np
-from cellDrag import last_rows, reference, spheres
+from clumpTables import table
+from cellDrag import reference, spheres
 
 u_mean = 1000.0        # um/s
 
-force, shape = last_rows('clumpForce'), last_rows('clumpShape')
+
+def last(name, clump_type):
+    return table('.', name, type=clump_type)[-1]
+
+
+force, shape, bead = (last(*what) for what in (
+    ('clumpForce', 'healthy'), ('clumpShape', 'healthy'), ('clumpForce', 'bead')))
 x, a, clump = spheres()
-F = 1e12*force['healthy'][1]
-axial, transverse = 1e6*shape['healthy'][4], 1e6*shape['healthy'][5]
+F = 1e12*force['Fx']
+axial, transverse = 1e6*shape['L1'], 1e6*shape['L2']
 F_reference, unbounded, factor = reference(x, a, clump == 1, u_mean)
 
-settling = np.linalg.norm(force['healthy'][10:13])*1e6
-print('time                           %8.3f s' % force['healthy'][0])
+settling = 1e6*np.linalg.norm([force[c] for c in ('Ux', 'Uy', 'Uz')])
+print('time                           %8.3f s' % force['time'])
 print('drag on the cell               %8.2f pN' % F)
-print('drag on the bead               %8.2f pN' % (1e12*force['bead'][1]))
+print('drag on the bead               %8.2f pN' % (1e12*bead['Fx']))
 print('F_D/u, u = 1 mm/s mean         %8.4f pN s/um' % (F/u_mean))
 print('axial, transverse diameter     %8.2f x %.2f um' % (axial, transverse))
 print('speed of the cell              %8.4f um/s' % settling)

@@ -1,4 +1,5 @@
-"""Time per clump and step of the parts, median of the rounds, and how it grows."""
+"""Time per clump and step of the parts, median of the rounds, and how it grows; time per cell and
+simulated millisecond over the haematocrit."""
 
 import statistics
 from results import Results, read
@@ -19,4 +20,18 @@ for name in "solid fraction", "force integral", "ghosts", "clumps":
 for number in numbers:
     results.report(f"flow, {number:g} red cells: per mesh cell and step",
                    cost("flow", number, "cells"), "us", "time breakdown")
+
+STEP = 0.5      # ms
+dense = read("haematocrits.csv")
+for row in dense:
+    name = f"haematocrit {100*row['haematocrit']:g} %"
+    results.report(f"{name}: processor time per cell and simulated ms",
+                   row["cpu_ms_per_step"]/row["cells"]/STEP, "ms", "ExecutionTime")
+    results.report(f"{name}: outer correctors", row["correctors"], "-", "mean")
+    for key, value in row.items():
+        if key.endswith("_percent"):
+            results.report(f"{name}: share of {key[:-8]}", value, "%", "time breakdown")
+few, many = dense[0], dense[-1]
+results.report("memory per cell", 1024*(many["memory_MB"] - few["memory_MB"])
+               / (many["cells"] - few["cells"]), "kB", "largest resident set, same mesh")
 results.write()

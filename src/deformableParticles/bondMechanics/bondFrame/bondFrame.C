@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bondFrame.H"
+#include "foamCompat.H"
 
 namespace
 {
@@ -68,7 +69,7 @@ Foam::quaternion Foam::rotation(const vector& v)
 
     const scalar a = Foam::sqrt(a2);
     quaternion q(Foam::cos(a), (0.5*Foam::sin(a)/a)*v);
-    q.normalize();
+    normalise(q);
     return q;
 }
 

@@ -5,6 +5,14 @@
 
 #include "deformableCloud.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
+#include "vector2D.H"
+
+const Foam::clumpInjector& Foam::deformableCloud::injector() const
+{
+    return *injector_;
+}
+
 
 bool Foam::deformableCloud::needsShorterStep() const
 {
@@ -14,6 +22,20 @@ bool Foam::deformableCloud::needsShorterStep() const
         needs = needs || p.step().needsShorterStep;
     }
     return coupled() && returnReduce(needs, orOp<bool>());
+}
+
+
+Foam::Pair<Foam::scalar> Foam::deformableCloud::overlaps() const
+{
+    const vector2D deepest
+    (
+        returnReduce
+        (
+            vector2D(contactSummary_.deepest, contactSummary_.deepestOfWall),
+            maxOp<vector2D>()
+        )
+    );
+    return Pair<scalar>(deepest.x(), deepest.y());
 }
 
 

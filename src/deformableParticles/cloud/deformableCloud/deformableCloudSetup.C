@@ -6,7 +6,10 @@
 #include "deformableCloud.H"
 #include "accuracyLevel.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "FlatOutput.H"
+#include "foamCompat.H"
+#include "functionObject.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
@@ -69,7 +72,8 @@ Foam::deformableCloud::deformableCloud
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
     contacts_(types_, dict_),
     walls_(mesh, types_, dict_),
-    contacting_(mesh, types_, bonds_, contacts_, walls_),
+    gaps_(dict_),
+    contacting_(mesh, types_, bonds_, contacts_, walls_, gaps_),
     nSolves_(0),
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
@@ -81,9 +85,9 @@ Foam::deformableCloud::deformableCloud
     (
         dict_,
         {
-            "types", "placement", "integrator", "contactModel",
-            "wallContactModel", "loads", "effects", "rotation",
-            "couplingScheme", "immersedBoundary", "openPatches",
+            "types", "placement", "injection", "integrator", "contactModel",
+            "wallContactModel", "lubrication", "aggregation", "loads", "effects",
+            "rotation", "couplingScheme", "immersedBoundary", "openPatches",
             "accuracyLevel"
         }
     );
@@ -123,6 +127,15 @@ Foam::deformableCloud::deformableCloud
     }
     count_.start(size());
     reportFractions();
+    injector_.reset
+    (
+        new clumpInjector
+        (
+            name, dict_,
+            injection::site{mesh, ghosts_, types_, typeIds_, hasFluid()}
+        )
+    );
+    injector_->begin(*this);
 
     if (!openPatches_.empty())
     {
@@ -142,6 +155,10 @@ Foam::deformableCloud::deformableCloud
 }
 
 
+Foam::deformableCloud::~deformableCloud()
+{}
+
+
 const Foam::deformableCloud& Foam::deformableCloud::find
 (
     const fvMesh& mesh,
@@ -159,6 +176,19 @@ const Foam::deformableCloud& Foam::deformableCloud::find
             << exit(FatalIOError);
     }
     return *cloud;
+}
+
+
+Foam::word Foam::deformableCloud::findName
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    return
+        functionObject::postProcess
+      ? dict.getOrDefault<word>("cloud", "clumps")
+      : find(mesh, dict).name();
 }
 
 
@@ -272,8 +302,7 @@ void Foam::deformableCloud::reportFractions() const
     {
         ++numbers[p.typeId()];
     }
-    Pstream::listCombineGather(numbers, plusEqOp<label>());
-    Pstream::listCombineScatter(numbers);
+    reduceList(numbers, plusEqOp<label>());
 
     const Pair<scalar> fractions
     (
@@ -293,6 +322,9 @@ void Foam::deformableCloud::reportFractions() const
 void Foam::deformableCloud::restart()
 {
     clumpFields::read(*this, types_);
+    Info<< "Read " << returnReduce(size(), sumOp<label>())
+        << " clumps from time " << mesh_.time().timeName()
+        << "; the entry placement is not used" << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
     if (!isFile(mesh_.time().timePath()/"uniform"/"time"))
@@ -312,6 +344,10 @@ void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
     count_.check(size(), cloud::prefix/name());
+    if (!dict_.found("placement") && dict_.found("injection"))
+    {
+        return;
+    }
 
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place

@@ -6,6 +6,7 @@
 #include "clumpFields.H"
 #include "Cloud.H"
 #include "compactFieldReader.H"
+#include "foamCompat.H"
 #include "HashSet.H"
 #include "labelPair.H"
 #include "OSspecific.H"
@@ -40,7 +41,7 @@ void refuse
 )
 {
     FatalErrorInFunction
-        << c.fieldIOobject(name, IOobject::NO_READ).objectPath()
+        << fieldObject(c, name, IOobject::NO_READ).objectPath()
         << ": clump " << p.origId() << ' ' << what.c_str() << exit(FatalError);
 }
 
@@ -62,7 +63,7 @@ void checkPlace(const Cloud<clumpParcel>& c, const label index, const particle& 
     if (!inside)
     {
         FatalErrorInFunction
-            << c.fieldIOobject("coordinates", IOobject::NO_READ).objectPath()
+            << fieldObject(c, "coordinates", IOobject::NO_READ).objectPath()
             << ": clump " << index << " lies outside the mesh"
             << exit(FatalError);
     }
@@ -88,7 +89,7 @@ Field<Type> readValues(const Cloud<clumpParcel>& c, const word& name)
 {
     const IOField<Type> field
     (
-        c.fieldIOobject(name, IOobject::MUST_READ), c.size() > 0
+        fieldObject(c, name, IOobject::MUST_READ), c.size() > 0
     );
     checkNumber(c, field, field.size());
     return field;
@@ -106,7 +107,7 @@ void readLists
 {
     const compactFieldReader<Type> file
     (
-        c.fieldIOobject(name, IOobject::MUST_READ), c.size() > 0
+        fieldObject(c, name, IOobject::MUST_READ), c.size() > 0
     );
     checkNumber(c, file, file.lists().size());
 
@@ -151,7 +152,7 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 {
     typename compactLists<Type>::type lists
     (
-        c.fieldIOobject(name, IOobject::NO_READ), c.size()
+        fieldObject(c, name, IOobject::NO_READ), c.size()
     );
 
     label i = 0;
@@ -184,7 +185,7 @@ void Foam::clumpFields::checkNumbers(const Cloud<clumpParcel>& c)
             if (!seen.insert(id))
             {
                 FatalErrorInFunction
-                    << c.fieldIOobject("origId", IOobject::NO_READ).objectPath()
+                    << fieldObject(c, "origId", IOobject::NO_READ).objectPath()
                     << ": two clumps have the number " << id.second()
                     << " (origProcId " << id.first() << ')'
                     << exit(FatalError);
@@ -197,7 +198,7 @@ void Foam::clumpFields::checkNumbers(const Cloud<clumpParcel>& c)
 void Foam::clumpFields::refuseRemains(const Cloud<clumpParcel>& c)
 {
     const Time& time = c.time();
-    const IOobject written(c.fieldIOobject("typeId", IOobject::NO_READ));
+    const IOobject written(fieldObject(c, "typeId", IOobject::NO_READ));
     if (returnReduce(isFile(written.objectPath()), orOp<bool>()))
     {
         FatalErrorInFunction
@@ -352,16 +353,16 @@ void Foam::clumpFields::write
 
     IOField<label> typeIds
     (
-        c.fieldIOobject("typeId", IOobject::NO_READ), c.size()
+        fieldObject(c, "typeId", IOobject::NO_READ), c.size()
     );
-    IOField<vector> U(c.fieldIOobject("U", IOobject::NO_READ), c.size());
+    IOField<vector> U(fieldObject(c, "U", IOobject::NO_READ), c.size());
     IOField<scalar> factors
     (
-        c.fieldIOobject("couplingFactor", IOobject::NO_READ), c.size()
+        fieldObject(c, "couplingFactor", IOobject::NO_READ), c.size()
     );
     IOField<label> overshoots
     (
-        c.fieldIOobject("couplingOvershoots", IOobject::NO_READ), c.size()
+        fieldObject(c, "couplingOvershoots", IOobject::NO_READ), c.size()
     );
 
     label i = 0;

@@ -5,6 +5,7 @@
 
 #include "ghostExchange.H"
 #include "cyclicPolyPatch.H"
+#include "foamCompat.H"
 #include "processorCyclicPolyPatch.H"
 #include "IPstream.H"
 #include "OPstream.H"
@@ -43,10 +44,8 @@ void checkPatches(const polyBoundaryMesh& patches)
             }
         }
     }
-    Pstream::listCombineGather(faces, plusEqOp<label>());
-    Pstream::listCombineScatter(faces);
-    Pstream::listCombineGather(rotates, plusEqOp<label>());
-    Pstream::listCombineScatter(rotates);
+    reduceList(faces, plusEqOp<label>());
+    reduceList(rotates, plusEqOp<label>());
 
     for (label patchi = 0; patchi < n; ++patchi)
     {
@@ -84,8 +83,7 @@ Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
     nOwn_(0)
 {
     procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
-    Pstream::gatherList(procBoxes_);
-    Pstream::scatterList(procBoxes_);
+    gatherToAll(procBoxes_);
 
     findShifts();
 }
@@ -155,12 +153,11 @@ void Foam::ghostExchange::findShifts()
     }
 
     const auto keepOne = [](const vector& a, const vector&) { return a; };
-    Pstream::mapCombineGather
+    reduceMap
     (
         separations,
         [&](vector& a, const vector& b) { a = keepOne(a, b); }
     );
-    Pstream::mapCombineScatter(separations);
 
     shifts_ = List<vector>(1, vector::zero);
     for (const word& name : separations.sortedToc())

@@ -216,7 +216,7 @@ Foam::List<Foam::dictionary> Foam::getDictList
         "Entry '" + key + "' must be a list of dictionaries: " + key
       + " ( { ... } { ... } );"
     );
-    if (dict.isDict(key))
+    if (dict.findDict(key))
     {
         FatalIOErrorInFunction(dict) << rule.c_str() << exit(FatalIOError);
     }
@@ -250,7 +250,7 @@ Foam::List<Foam::dictionary> Foam::getDictList
 
 const Foam::dictionary& Foam::getDict(const dictionary& dict, const word& key)
 {
-    if (dict.found(key) && !dict.isDict(key))
+    if (dict.found(key) && !dict.findDict(key))
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' must be a dictionary: " << key

@@ -22,7 +22,16 @@ Foam::carriedPressure::carriedPressure
 :
     p_(p),
     refCell_(refCell),
-    orthogonal_(false)
+    orthogonal_(false),
+    change_
+    (
+        IOobject
+        (
+            "carriedPressureChange", p.time().timeName(), p.mesh(),
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        ),
+        zero("dp", p.dimensions(), "fixedValue")
+    )
 {}
 
 
@@ -121,7 +130,7 @@ void Foam::carriedPressure::carry
 }
 
 
-void Foam::carriedPressure::correct
+void Foam::carriedPressure::predict
 (
     const volVectorField& d,
     const dictionary& solver
@@ -140,19 +149,29 @@ void Foam::carriedPressure::correct
     const volScalarField before("qBefore", q);
     carry(d, q);
 
-    tmp<volScalarField> tdp(zero("dp", p_.dimensions(), "fixedValue"));
+    reset();
     // The second solution has the non-orthogonal part of the gradient
     const label nSolutions = orthogonal_ ? 1 : 2;
     for (label i = 0; i < nSolutions; ++i)
     {
-        fvScalarMatrix equation(fvm::laplacian(tdp.ref()) == q - before);
+        fvScalarMatrix equation(fvm::laplacian(change_) == q - before);
         if (p_.needReference())
         {
             equation.setReference(refCell_, 0);
         }
         equation.solve(solver);
     }
+}
 
-    p_ += tdp;
+
+void Foam::carriedPressure::beginStep()
+{
+    p_.primitiveFieldRef() += change_.primitiveField();
     p_.correctBoundaryConditions();
+}
+
+
+void Foam::carriedPressure::reset()
+{
+    change_ == dimensionedScalar(p_.dimensions(), Zero);
 }

@@ -35,7 +35,7 @@ void checkSelection
 //- A preconditioner is a word, or a dictionary that has it
 word preconditioner(const dictionary& dict)
 {
-    const bool nested = dict.isDict("preconditioner");
+    const bool nested = bool(dict.findDict("preconditioner"));
     return
         nested
       ? dict.subDict("preconditioner").get<word>("preconditioner")

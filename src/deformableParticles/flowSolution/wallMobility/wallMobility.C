@@ -42,11 +42,11 @@ void Foam::wallMobility::update(const volScalarField& nu)
     );
     const dimensionedScalar rate("rate", dimless/dimTime, 1/deltaT_);
 
-    // Any more would not be seen in the convergence of the correctors
+    // So small that the result is the same on any number of processors
     dictionary solver;
     solver.set("solver", "PCG");
     solver.set("preconditioner", "DIC");
-    solver.set("tolerance", scalar(1e-6));
+    solver.set("tolerance", scalar(1e-12));
     solver.set("relTol", scalar(0));
 
     fvScalarMatrix equation

@@ -29,12 +29,14 @@ Foam::functionObjects::clumpForce::clumpForce
 }
 
 
-void Foam::functionObjects::clumpForce::writeHeader(Ostream& os) const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::clumpForce::header() const
 {
-    os  << "# Force of the fluid on every clump" << nl
-        << "# time [s]\tclump\ttype\tFx Fy Fz [N]\tTx Ty Tz [N m]"
-        << "\tx y z [m]\tUx Uy Uz [m/s]\tdrag [N]\tlift [N]"
-        << endl;
+    return
+        tableHeader("Force of the fluid on each clump")
+       .addVector("F", "N").addVector("T", "N.m")
+       .addVector("", "m").addVector("U", "m/s")
+       .add("drag", "N").add("lift", "N");
 }
 
 

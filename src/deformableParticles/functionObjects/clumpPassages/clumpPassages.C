@@ -22,11 +22,12 @@ namespace
 
 using namespace Foam;
 
-void writeHeader(Ostream& os)
+functionObjects::tableHeader header()
 {
-    os  << "# Clumps that have entered and left" << nl
-        << "# time [s]\tevent\tnumber\ttype\tpatch\tcentre x y z [m]"
-        << "\tvelocity x y z [m/s]\tinside" << nl;
+    return
+        functionObjects::tableHeader("Clumps that have entered and left")
+       .add("time", "s").add("clump").add("type").add("event").add("patch")
+       .addVector("", "m").addVector("U", "m/s").add("inside");
 }
 
 }
@@ -49,7 +50,7 @@ Foam::functionObjects::clumpPassages::clumpPassages
 bool Foam::functionObjects::clumpPassages::read(const dictionary& dict)
 {
     checkEntries(dict, {"cloud"}, functionObjectEntries());
-    cloudName_ = deformableCloud::find(mesh_, dict).name();
+    cloudName_ = deformableCloud::findName(mesh_, dict);
     return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }
 
@@ -63,12 +64,13 @@ bool Foam::functionObjects::clumpPassages::execute()
         return true;
     }
 
-    Ostream& os = table_.open(&writeHeader);
+    Ostream& os = table_.open(header());
     for (const clumpPassage& p : count.passages())
     {
         os  << time_.timeOutputValue() << '\t'
-            << (p.entered ? "entered" : "left") << '\t' << p.id << '\t'
-            << cloud.types()[p.typeId].name() << '\t' << count.patchName(p);
+            << p.id << '\t' << cloud.types()[p.typeId].name() << '\t'
+            << (p.entered ? "entered" : "left") << '\t'
+            << count.patchName(p);
         for (const vector& v : {p.centre, p.velocity})
         {
             os  << '\t' << v.x() << '\t' << v.y() << '\t' << v.z();

@@ -93,24 +93,28 @@ Foam::functionObjects::clumpShape::clumpShape
 
 bool Foam::functionObjects::clumpShape::read(const dictionary& dict)
 {
-    marked_ =
-        dict.found("marked")
-      ? getNumber
-        (
-            dict, "marked", 0, deformableCloud::find(mesh_, dict).mostSpheres() - 1
-        )
-      : 0;
+    marked_ = 0;
+    if (dict.found("marked"))
+    {
+        const label last =
+            functionObject::postProcess
+          ? labelMax
+          : deformableCloud::find(mesh_, dict).mostSpheres() - 1;
+        marked_ = getNumber(dict, "marked", 0, last);
+    }
     return clumpTable::read(dict);
 }
 
 
-void Foam::functionObjects::clumpShape::writeHeader(Ostream& os) const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::clumpShape::header() const
 {
-    os  << "# Shape of every clump" << nl
-        << "# time [s]\tclump\ttype\tLx Ly Lz [m]\tL1 L2 L3 [m]"
-        << "\taxis1x axis1y axis1z\tomegax omegay omegaz [rad/s]"
-        << "\tTaylor deformation\tinclination [rad]\tphase [rad]"
-        << "\tarea [m2]\tvolume [m3]" << endl;
+    return
+        tableHeader("Shape of each clump")
+       .addVector("L", "m").add("L1", "m").add("L2", "m").add("L3", "m")
+       .addVector("axis").addVector("omega", "rad/s")
+       .add("TaylorDeformation").add("inclination", "rad").add("phase", "rad")
+       .add("area", "m2").add("volume", "m3");
 }
 
 

@@ -53,7 +53,7 @@ Foam::scalar Foam::functionObjects::clumpTable::angle(const vector& v) const
 bool Foam::functionObjects::clumpTable::read(const dictionary& dict)
 {
     checkEntries(dict, entries_, functionObjectEntries());
-    cloudName_ = deformableCloud::find(mesh_, dict).name();
+    cloudName_ = deformableCloud::findName(mesh_, dict);
     flow_ = direction(dict, "flow", vector(1, 0, 0));
     gradient_ = direction(dict, "gradient", vector(0, 1, 0));
     if (mag(flow_ & gradient_) > 1e-6)
@@ -125,7 +125,10 @@ bool Foam::functionObjects::clumpTable::write()
             text.append(allRows[proci]);
         }
 
-        Ostream& os = table_.open([this](Ostream& s) { writeHeader(s); });
+        const tableHeader further(header());
+        tableHeader all(further.title());
+        all.add("time", "s").add("clump").add("type").add(further);
+        Ostream& os = table_.open(all);
         const SortableList<label> order(id);
         forAll(order, k)
         {

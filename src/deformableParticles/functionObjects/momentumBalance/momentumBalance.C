@@ -26,22 +26,36 @@ namespace
 
 using namespace Foam;
 
-void writeHeader(Ostream& os)
+functionObjects::tableHeader header()
 {
-    os  << "# Momentum of clumps and fluid over a step [N]" << nl
-        << "# time [s]";
+    functionObjects::tableHeader result
+    (
+        "Momentum of clumps and fluid over a step"
+    );
+    result.add("time", "s");
     for
     (
         const char* term :
         {
-            "clumps rate", "fluid", "interior", "coupling", "applied",
-            "fluid rate", "forcing", "patches", "sources"
+            "clumpsRate", "fluid", "interior", "coupling", "applied",
+            "fluidRate", "forcing", "patches", "sources"
         }
     )
     {
-        os  << '\t' << term << " x y z";
+        result.addVector(term, "N");
     }
-    os  << "\trelative: thirdLaw\tclumps\tfluid\tcoupling\ttotal" << nl;
+    for
+    (
+        const char* error :
+        {
+            "thirdLawError", "clumpsError", "fluidError", "couplingError",
+            "totalError"
+        }
+    )
+    {
+        result.add(error);
+    }
+    return result;
 }
 
 }
@@ -64,7 +78,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
 bool Foam::functionObjects::momentumBalance::read(const dictionary& dict)
 {
     checkEntries(dict, {"cloud"}, functionObjectEntries());
-    cloudName_ = deformableCloud::find(mesh_, dict).name();
+    cloudName_ = deformableCloud::findName(mesh_, dict);
     return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }
 
@@ -165,6 +179,12 @@ Foam::vector Foam::functionObjects::momentumBalance::sources
 
 bool Foam::functionObjects::momentumBalance::write()
 {
+    if (functionObject::postProcess)
+    {
+        Info<< name() << ": the momentum over a step is known in the run only;"
+            << " no table is written" << endl;
+        return true;
+    }
     const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
     if (!cloud.coupled())
     {
@@ -217,7 +237,7 @@ bool Foam::functionObjects::momentumBalance::write()
 
     if (Pstream::master())
     {
-        Ostream& os = table_.open(&writeHeader);
+        Ostream& os = table_.open(header());
         os  << time_.timeOutputValue();
         for
         (

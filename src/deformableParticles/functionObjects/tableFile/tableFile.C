@@ -7,13 +7,15 @@
 
 Foam::Ostream& Foam::functionObjects::tableFile::open
 (
-    const std::function<void(Ostream&)>& writeHeader
+    const tableHeader& header
 )
 {
     if (writeToFile() && !filePtr_.valid())
     {
         resetFile(fileName_);
-        writeHeader(file());
+        // writeFile pads the first word
+        file().width(0);
+        header.write(file());
     }
     return file();
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "newtonMinimiser.H"
+#include "foamCompat.H"
 
 Foam::scalar Foam::newtonMinimiser::largest
 (
@@ -45,7 +46,7 @@ Foam::scalar Foam::newtonMinimiser::moveBy
 
         s.x[i] = before.x[i] + fraction*dx;
         s.q[i] = rotation(fraction*dq)*before.q[i];
-        s.q[i].normalize();
+        normalise(s.q[i]);
 
         moved = max(moved, fraction*max(mag(dx)/type.radii()[i], mag(dq)));
     }

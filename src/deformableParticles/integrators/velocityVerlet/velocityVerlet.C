@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "velocityVerlet.H"
+#include "foamCompat.H"
 
 namespace Foam
 {
@@ -124,7 +125,7 @@ void Foam::integrators::velocityVerlet::advance
 
             // Rotation by Cayley's map, which has the second order of the method
             s.q[i] = quaternion(1, 0.5*h*s.w[i])*s.q[i];
-            s.q[i].normalize();
+            normalise(s.q[i]);
         }
         updateForces();
         accelerate();

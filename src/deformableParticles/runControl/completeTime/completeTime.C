@@ -6,6 +6,7 @@
 #include "completeTime.H"
 #include "endSignal.H"
 #include "cutShort.H"
+#include "foamCompat.H"
 #include "IOdictionary.H"
 #include "logBuffer.H"
 #include "OFstream.H"
@@ -103,7 +104,7 @@ void Foam::completeTime::markDirectory() const
 
     // Of processors that share it (collated) the first one makes it
     fileName shared(marked_);
-    Pstream::scatter(shared);
+    masterToAll(shared);
     const bool mine = Pstream::master() || marked_ != shared;
 
     // A new one gets its name when the mark is in it
@@ -377,7 +378,7 @@ void Foam::completeTime::writeAside(const word& ending)
 
     // Of processors that share the directory (collated) the first one moves it
     fileName shared(marked_);
-    Pstream::scatter(shared);
+    masterToAll(shared);
     if (Pstream::master() || marked_ != shared)
     {
         const fileName moved(marked_ + '.' + ending);

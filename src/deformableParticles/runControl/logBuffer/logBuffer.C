@@ -7,6 +7,9 @@
 #include <csignal>
 #include <iostream>
 
+Foam::logBuffer* Foam::logBuffer::installed_ = nullptr;
+
+
 void Foam::logBuffer::say()
 {
     if (!said_)
@@ -20,18 +23,37 @@ void Foam::logBuffer::say()
 }
 
 
-Foam::logBuffer::int_type Foam::logBuffer::overflow(int_type c)
+void Foam::logBuffer::pass(const char* text, std::streamsize n)
 {
-    if
-    (
-        !traits_type::eq_int_type(c, traits_type::eof())
-     && traits_type::eq_int_type
-        (
-            file_->sputc(traits_type::to_char_type(c)), traits_type::eof()
-        )
-    )
+    if (file_->sputn(text, n) != n)
     {
         say();
+    }
+}
+
+
+void Foam::logBuffer::filter(const char c)
+{
+    line_ += c;
+    if (c == '\n')
+    {
+        const bool begins = line_.compare(0, 3, "-->") == 0;
+        warning_ = begins || (warning_ && line_.compare(0, 4, "    ") == 0);
+        if (warning_)
+        {
+            pass(line_.data(), line_.size());
+        }
+        line_.clear();
+    }
+}
+
+
+Foam::logBuffer::int_type Foam::logBuffer::overflow(int_type c)
+{
+    if (!traits_type::eq_int_type(c, traits_type::eof()))
+    {
+        const char text = traits_type::to_char_type(c);
+        xsputn(&text, 1);
     }
     return traits_type::not_eof(c);
 }
@@ -39,9 +61,16 @@ Foam::logBuffer::int_type Foam::logBuffer::overflow(int_type c)
 
 std::streamsize Foam::logBuffer::xsputn(const char* text, std::streamsize n)
 {
-    if (file_->sputn(text, n) != n)
+    if (quiet_)
     {
-        say();
+        for (std::streamsize i = 0; i < n; ++i)
+        {
+            filter(text[i]);
+        }
+    }
+    else
+    {
+        pass(text, n);
     }
     return n;
 }
@@ -60,7 +89,22 @@ int Foam::logBuffer::sync()
 void Foam::logBuffer::install()
 {
     // Not a static object: the standard output is flushed when all are gone
-    static std::streambuf* const buffer = new logBuffer(std::cout.rdbuf());
-    std::cout.rdbuf(buffer);
+    if (!installed_)
+    {
+        installed_ = new logBuffer(std::cout.rdbuf());
+    }
+    std::cout.rdbuf(installed_);
     std::signal(SIGPIPE, SIG_IGN);
+}
+
+
+void Foam::logBuffer::quieten(const bool quiet)
+{
+    if (installed_)
+    {
+        std::cout.flush();
+        installed_->quiet_ = quiet;
+        installed_->line_.clear();
+        installed_->warning_ = false;
+    }
 }

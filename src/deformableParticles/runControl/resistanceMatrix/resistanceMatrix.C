@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "resistanceMatrix.H"
+#include "foamCompat.H"
 #include "mathematicalConstants.H"
 
 Foam::resistanceMatrix::resistanceMatrix
@@ -34,8 +35,7 @@ Foam::resistanceMatrix::resistanceMatrix
             << "There is no clump " << clump << '.' << exit(FatalError);
     }
     x_.setSize(type().size(), point::min);
-    Pstream::listCombineGather(x_, maxEqOp<point>());
-    Pstream::listCombineScatter(x_);
+    reduceList(x_, maxEqOp<point>());
 
     size_ = (rotation ? 6 : 3)*type().size();
     R_.setZero(size_, size_);
@@ -79,8 +79,7 @@ Eigen::VectorXd Foam::resistanceMatrix::forces() const
               : p.fluidTorques()[i][row % 3]/type().radii()[i];
         }
     }
-    Pstream::listCombineGather(f, plusEqOp<scalar>());
-    Pstream::listCombineScatter(f);
+    reduceList(f, plusEqOp<scalar>());
     return Eigen::Map<const Eigen::VectorXd>(f.cdata(), size_);
 }
 

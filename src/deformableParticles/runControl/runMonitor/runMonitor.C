@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "runMonitor.H"
+#include "logBuffer.H"
 
 void Foam::runMonitor::addOptions()
 {
@@ -11,6 +12,11 @@ void Foam::runMonitor::addOptions()
     (
         "estimate",
         "Run a few steps, print what the case will cost, write nothing"
+    );
+    argList::addBoolOption
+    (
+        "quiet",
+        "Print warnings and lines of progress instead of each step"
     );
 }
 
@@ -33,7 +39,7 @@ Foam::runMonitor::runMonitor
         refCast<const fvMesh>(cloud.pMesh()).solutionDict(),
         runTime.controlDict()
     ),
-    report_(runTime, cloud),
+    report_(runTime, cloud, args.found("quiet")),
     watchdog_(runTime, cloud),
     estimate_(runTime, cloud, args.found("estimate"), nOuterCorrectors)
 {}
@@ -57,6 +63,7 @@ void Foam::runMonitor::start() const
       : List<double>(1, n)
     );
     Info<< "Starting time loop" << nl << endl;
+    report_.start();
 }
 
 
@@ -102,7 +109,12 @@ void Foam::runMonitor::endStep()
 
 void Foam::runMonitor::end() const
 {
-    if (estimate_.wanted())
+    logBuffer::quieten(false);
+    if (report_.idle())
+    {
+        report_.explainIdle();
+    }
+    else if (estimate_.wanted())
     {
         estimate_.print
         (

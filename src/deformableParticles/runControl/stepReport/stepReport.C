@@ -5,6 +5,7 @@
 
 #include "stepReport.H"
 #include "fvcDiv.H"
+#include "logBuffer.H"
 #include "spokenTime.H"
 #include "surfaceFields.H"
 
@@ -17,7 +18,8 @@ Foam::scalar Foam::stepReport::since(const clock::time_point& t)
 Foam::stepReport::stepReport
 (
     const Time& runTime,
-    const deformableCloud& cloud
+    const deformableCloud& cloud,
+    const bool quiet
 )
 :
     runTime_(runTime),
@@ -26,8 +28,64 @@ Foam::stepReport::stepReport
     start_(clock::now()),
     stepStart_(start_),
     continuityError_(0),
-    cumulativeError_(0)
+    cumulativeError_(0),
+    nSteps_(0),
+    quiet_(quiet),
+    said_(start_),
+    saidPart_(0)
 {}
+
+
+Foam::scalar Foam::stepReport::part() const
+{
+    const scalar span = runTime_.endTime().value() - firstTime_;
+    const scalar done = runTime_.value() - firstTime_;
+    return done < span ? done/span : 1;
+}
+
+
+Foam::string Foam::stepReport::left() const
+{
+    return spokenTime((1/part() - 1)*since(start_));
+}
+
+
+void Foam::stepReport::printOverlaps() const
+{
+    const sceneEffects& effects = cloud_.effects();
+    if (effects.active("contact") || effects.active("walls"))
+    {
+        const Pair<scalar> overlaps(cloud_.overlaps());
+        Info<< "Overlap max: clumps " << 100*overlaps.first() << " %, walls "
+            << 100*overlaps.second() << " % of the radius" << nl;
+    }
+}
+
+
+void Foam::stepReport::printProgress()
+{
+    const label percent(100*part());
+    const bool last =
+        runTime_.value()
+      > runTime_.endTime().value() - 0.5*runTime_.deltaTValue();
+    if (last || (percent > saidPart_ && since(said_) > 2))
+    {
+        logBuffer::quieten(false);
+        Info<< "Time " << runTime_.timeName() << " of "
+            << Time::timeName(runTime_.endTime().value()) << ", " << percent << " %, "
+            << spokenTime(since(start_)).c_str() << ", left " << left().c_str()
+            << ", " << cloud_.nClumps() << " clumps" << endl;
+        logBuffer::quieten(true);
+        said_ = clock::now();
+        saidPart_ = percent;
+    }
+}
+
+
+void Foam::stepReport::start() const
+{
+    logBuffer::quieten(quiet_);
+}
 
 
 void Foam::stepReport::beginStep()
@@ -57,16 +115,30 @@ void Foam::stepReport::continuity(const surfaceScalarField& phi)
 }
 
 
-void Foam::stepReport::endStep() const
+void Foam::stepReport::endStep()
 {
-    const scalar done = runTime_.value() - firstTime_;
-    const scalar left = runTime_.endTime().value() - runTime_.value();
-
+    ++nSteps_;
+    printOverlaps();
     Info<< "Step " << since(stepStart_) << " s, total "
-        << spokenTime(since(start_)).c_str() << ", left "
-        << spokenTime(max(left, scalar(0))/done*since(start_)).c_str()
+        << spokenTime(since(start_)).c_str() << ", left " << left().c_str()
         << ", " << cloud_.nClumps() << " clumps" << nl;
     runTime_.printExecutionTime(Info);
+
+    if (quiet_)
+    {
+        printProgress();
+    }
+}
+
+
+void Foam::stepReport::explainIdle() const
+{
+    Info<< "Nothing to compute: the case stands at time " << runTime_.timeName()
+        << ", and endTime in system/controlDict is "
+        << Time::timeName(runTime_.endTime().value()) << '.' << nl
+        << "    To continue, raise endTime. To start anew, remove the later times"
+        << " (foamListTimes -rm" << (Pstream::parRun() ? " -processor" : "")
+        << ") or set startFrom startTime." << nl << nl << "End" << nl << endl;
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "timeDirectories.H"
+#include "foamCompat.H"
 #include "HashSet.H"
 #include "OSspecific.H"
 #include "Pstream.H"
@@ -61,8 +62,7 @@ Foam::wordList Foam::timeDirectories::incomplete(const fileNameList& here)
             }
         }
     }
-    Pstream::gatherList(found);
-    Pstream::scatterList(found);
+    gatherToAll(found);
 
     wordHashSet names;
     for (const wordList& part : found)

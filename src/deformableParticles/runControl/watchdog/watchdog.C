@@ -6,6 +6,7 @@
 #include "watchdog.H"
 #include "checkedEntries.H"
 #include "flowDriving.H"
+#include "foamCompat.H"
 #include "fvcDiv.H"
 #include "StringStream.H"
 
@@ -43,8 +44,7 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
     }
     List<string> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = what;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    gatherToAll(all);
 
     string said;
     for (const string& s : all)
@@ -85,8 +85,7 @@ Foam::string Foam::watchdog::place
     }
     scalarList all(Pstream::nProcs(), scalar(-1));
     all[Pstream::myProcNo()] = most;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    gatherToAll(all);
     label owner = 0;
     forAll(all, i)
     {
@@ -248,9 +247,15 @@ void Foam::watchdog::check()
     halve(cloud_.needsShorterStep());
 
     OStringStream said;
+    label index = 0;
     for (const clumpParcel& p : cloud_)
     {
         const clumpType& type = cloud_.type(p);
+        if (cloud_.passing().size() && cloud_.passing()[index++])
+        {
+            said<< "    clump " << p.origId() << " at " << p.centre(type)
+                << ": passes through another clump in one step" << nl;
+        }
         const clumpState& s = p.state();
         const scalar displacement =
             runTime_.deltaTValue()*max(mag(s.u)/type.radii());

@@ -5,6 +5,7 @@
 
 #include "clumpPacking.H"
 #include "bondFrame.H"
+#include "foamCompat.H"
 #include "sphereGrid.H"
 #include "mathematicalConstants.H"
 
@@ -244,7 +245,7 @@ void Foam::clumpPacking::move(clumpParcel& p, const contacts& sum)
     s.u[0] = vector(y[0], y[1], y[2]);
     s.w[0] = vector(y[3], y[4], y[5]);
     s.q[0] = rotation(s.w[0]/type.reach())*s.q[0];
-    s.q[0].normalize();
+    normalise(s.q[0]);
     s.x += s.u[0];
 }
 

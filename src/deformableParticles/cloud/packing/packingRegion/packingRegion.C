@@ -5,6 +5,7 @@
 
 #include "packingRegion.H"
 #include "checkedEntries.H"
+#include "foamCompat.H"
 #include "ListOps.H"
 #include "plane.H"
 #include "polyMeshTetDecomposition.H"
@@ -237,8 +238,7 @@ void Foam::packingRegion::findVolumes
 
     scalarList all(Pstream::nProcs());
     all[Pstream::myProcNo()] = sum;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    gatherToAll(all);
     forAll(all, proci)
     {
         before_ += proci < Pstream::myProcNo() ? all[proci] : scalar(0);

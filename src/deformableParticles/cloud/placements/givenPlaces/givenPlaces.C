@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "givenPlaces.H"
+#include "foamCompat.H"
 #include "treeDataCell.H"
 
 void Foam::givenPlaces::place
@@ -30,8 +31,7 @@ void Foam::givenPlaces::place
             here.append(labelPair(k, celli));
         }
     }
-    Pstream::listCombineGather(owners, minEqOp<label>());
-    Pstream::listCombineScatter(owners);
+    reduceList(owners, minEqOp<label>());
 
     const label outside = owners.find(labelMax);
     if (outside >= 0)

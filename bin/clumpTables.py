@@ -1,18 +1,20 @@
+#!/usr/bin/python3
 """Reads the tables below postProcessing/ of a case by the names of their columns.
 
-    from tables import table
+    from clumpTables import table
     rows = table("case", "clumpForce", clump=0)         # [{"time": 0.1, "Fx": 1e-12, ...}, ...]
     rows[-1]["Fx"]
 
-    python3 tables.py [-last] [-clump N] [-type NAME] <case> <table>:<column> ...
+    clumpTables.py [-last] [-clump N] [-type NAME] <case> <table>:<column> ...
 
 prints the columns as comma separated lines, numbers as they stand in the tables; the columns may
 come from tables that have the same rows, and a column without a table is of the one before. A wrong
 name ends with the names there are.
 
-Names are those of the header without units. Vectors have a name per component: `Fx Fy Fz` are three
-columns; `interior x y z` are `interior x`, `interior y`, `interior z`; a value in parentheses below
-`volAverage(U)` gives `volAverage(U) x` and so on.
+The tables of this library have the names in the first line that is not a comment. Those of OpenFOAM
+have them in the last comment line; a value in parentheses below `volAverage(U)` has the names
+`volAverage(U) x` and so on, and `Time` is `time`. A table of a restart replaces the rows of
+the runs before after the time at which it has started.
 """
 
 import os
@@ -20,34 +22,50 @@ import re
 import sys
 
 
-def column_names(header):
-    """Names of the columns below a header line."""
-    names = []
-    for group in header.lstrip("# ").rstrip("\n").split("\t"):
-        words = re.sub(r"\[.*?\]|relative:", " ", group).split()
-        if len(words) >= 3 and [w[-1] for w in words[-3:]] in (list("xyz"), list("123")):
-            prefix = words[:-3]
-            names += [" ".join(prefix + [w]) for w in words[-3:]]
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def own(file_lines):
+    """Rows of a table of this library."""
+    names = None
+    for line in file_lines:
+        cells = line.rstrip("\n").split("\t")
+        if line.startswith("#"):
+            continue
+        if names is None:
+            names = cells
         else:
-            names.append(" ".join(words))
-    return names
+            yield dict(zip(names, cells))
+
+
+def foreign(file_lines):
+    """Rows of a table of OpenFOAM."""
+    names = []
+    for line in file_lines:
+        if line.startswith("#"):
+            names = [name.strip() for name in line.lstrip("# ").split("\t")]
+            names = ["time" if name == "Time" else name for name in names]
+            continue
+        row = {}
+        for name, cell in zip(names, re.findall(r"\([^)]*\)|[^\s()]+", line)):
+            if cell.startswith("("):
+                row.update(zip((f"{name} {c}" for c in "xyz"), cell.strip("()").split()))
+            else:
+                row[name] = cell
+        yield row
 
 
 def parse(path):
     """Rows of one file as dictionaries of texts."""
-    header, rows = [], []
     with open(path) as file:
-        for line in file:
-            if line.startswith("#"):
-                header = column_names(line)
-                continue
-            cells, names = [], []
-            for name, cell in zip(header, re.findall(r"\([^)]*\)|[^\s()]+", line)):
-                parts = cell.strip("()").split()
-                cells += parts
-                names += [name] if not cell.startswith("(") else [f"{name} {c}" for c in "xyz"]
-            rows.append(dict(zip(names, cells)))
-    return rows
+        lines = file.readlines()
+    data = [line for line in lines if not line.startswith("#")]
+    named = data and isinstance(number(data[0].split("\t")[0].strip()), str)
+    return list(own(lines) if named else foreign(lines))
 
 
 def texts(case, name, **wanted):
@@ -55,12 +73,15 @@ def texts(case, name, **wanted):
     folder = os.path.join(case, "postProcessing", name)
     rows = []
     for start in sorted(os.listdir(folder), key=float):
-        for file in sorted(os.listdir(os.path.join(folder, start))):
-            rows += parse(os.path.join(folder, start, file))
+        files = [os.path.join(folder, start, file) for file in os.listdir(
+            os.path.join(folder, start))]
+        for file in sorted(files, key=os.path.getmtime):
+            more = parse(file)
+            if more:
+                rows = [r for r in rows if float(r["time"]) < (1 + 1e-9)*float(start)]
+            rows += more
     for key, value in wanted.items():
         rows = [r for r in rows if r[key] == str(value)]
-    if rows and "Time" in rows[0]:
-        rows = [{("time" if k == "Time" else k): v for k, v in r.items()} for r in rows]
     return rows
 
 
@@ -72,13 +93,6 @@ def seconds_of_steps(case):
     if totals:
         return [b - a for a, b in zip([0] + totals, totals)]
     return [float(t) for t in re.findall(r"^Step (\S+) s", log, re.M)]
-
-
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 def table(case, name, **wanted):
@@ -104,7 +118,9 @@ def main(arguments):
     if len({len(rows) for rows in tables.values()}) != 1:
         sys.exit(f"{case}: the tables {', '.join(tables)} have different numbers of rows")
     count = len(next(iter(tables.values())))
-    for i in range(max(count - 1, 0) if last else 0, count):
+    if count == 0:
+        sys.exit(f"{case}: no row in {', '.join(tables)}")
+    for i in range(count - 1 if last else 0, count):
         try:
             print(",".join(tables[name][i][column] for name, column in columns))
         except KeyError as error:

@@ -1,0 +1,53 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "contactStep.H"
+
+Foam::point Foam::contactStep::centre
+(
+    const label image,
+    const label slot
+) const
+{
+    const clumpImage& clump = ghosts_.images()[image];
+    const scalarField& m = types_[clump.typeId].masses();
+    return sum(m*(clump.x + moved_[slot]))/sum(m);
+}
+
+
+Foam::contactSummary Foam::contactStep::summary() const
+{
+    contactSummary result;
+    for (const label a : clumpOf_)
+    {
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            const touch& t = touches_[k];
+            const scalar r = type(a).radii()[t.i];
+            const bool wall = t.b < 0;
+            const vector dx(displacement(t));
+            const scalar overlap =
+                t.radii - (wall ? (t.n & dx) : mag(before(t) + dx));
+            if (wall)
+            {
+                result.deepestOfWall = max(result.deepestOfWall, overlap/r);
+                continue;
+            }
+
+            // Two members have half of the contact each
+            const scalar half = isMember_[t.slot] ? 0.5 : 1;
+            if (overlap > 0)
+            {
+                result.deepest = max(result.deepest, overlap/min(r, t.radii - r));
+                result.number += half;
+            }
+
+            // Forces across gaps are part of it
+            result.virial +=
+                half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.slot))*t.n;
+        }
+    }
+    return result;
+}

@@ -1,0 +1,152 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpProfiles.H"
+#include "addToRunTimeSelectionTable.H"
+#include "checkedEntries.H"
+#include "sphereUnion.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(clumpProfiles, 0);
+    addToRunTimeSelectionTable(functionObject, clumpProfiles, dictionary);
+}
+}
+
+
+Foam::functionObjects::clumpProfiles::clumpProfiles
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    suspensionTable(name, runTime, dict, typeName, {"section", "bins"}),
+    nBins_(10)
+{
+    read(dict);
+}
+
+
+bool Foam::functionObjects::clumpProfiles::read(const dictionary& dict)
+{
+    const bool good = suspensionTable::read(dict);
+    section_ = crossSection(dict, axes(), mesh_);
+    nBins_ = dict.found("bins") ? getNumber(dict, "bins", 1, 10000) : 10;
+    return good;
+}
+
+
+Foam::functionObjects::tableHeader
+Foam::functionObjects::clumpProfiles::header() const
+{
+    tableHeader result("Profiles of haematocrit and velocity");
+    result.add("bin").add("s", "m").add("H").add("U", "m/s").add("Uc", "m/s");
+    for (const clumpType& type : cloud().types())
+    {
+        result.add("H_" + type.name());
+    }
+    return result;
+}
+
+
+Foam::label Foam::functionObjects::clumpProfiles::bin
+(
+    const scalar y,
+    const scalar z
+) const
+{
+    const scalar share = section_.position(y, z)/section_.width();
+    return min(max(label(share*nBins_), 0), nBins_ - 1);
+}
+
+
+void Foam::functionObjects::clumpProfiles::addClump
+(
+    const clumpParcel& p,
+    UList<scalar>& volumes,
+    UList<scalar>& flows
+) const
+{
+    const clumpType& type = cloud().type(p);
+    const scalarField& r = type.radii();
+    const scalar weight = type.nominalVolume()/type.volume();
+
+    pointField x(p.centres());
+    for (point& c : x)
+    {
+        c = section_.local(c);
+    }
+    sphereUnion::forEachChord
+    (
+        x, r, 0.1*min(r),
+        [&](const scalar y, const scalar z, const label i, const scalar V)
+        {
+            const label k = bin(y, z);
+            volumes[k] += weight*V;
+            flows[k] += weight*V*(p.state().u[i] & axes().flow);
+        }
+    );
+}
+
+
+bool Foam::functionObjects::clumpProfiles::write()
+{
+    const label nTypes = cloud().types().size();
+
+    // By bins: volume and flow of the mesh cells, flow of the clumps, then the
+    // volume of each type
+    scalarList sums((3 + nTypes)*nBins_, Zero);
+    const auto part = [&](const label k)
+    {
+        return SubList<scalar>(sums, nBins_, k*nBins_);
+    };
+    if (const volVectorField* U = velocity())
+    {
+        SubList<scalar> volumes(part(0)), flows(part(1));
+        forAll(mesh_.C(), celli)
+        {
+            const vector x(section_.local(mesh_.C()[celli]));
+            const label k = bin(x.x(), x.y());
+            volumes[k] += mesh_.V()[celli];
+            flows[k] += mesh_.V()[celli]*((*U)[celli] & axes().flow);
+        }
+    }
+    SubList<scalar> flows(part(2));
+    for (const clumpParcel& p : cloud())
+    {
+        SubList<scalar> volumes(part(3 + p.typeId()));
+        addClump(p, volumes, flows);
+    }
+    sumUp(sums);
+
+    if (Pstream::master())
+    {
+        const scalar width = section_.width()/nBins_;
+        for (label k = 0; k < nBins_; ++k)
+        {
+            const scalar binVolume =
+                section_.volumeTo((k + 1)*width) - section_.volumeTo(k*width);
+            scalarList row(5 + nTypes);
+            scalar volume = 0;
+            for (label type = 0; type < nTypes; ++type)
+            {
+                const scalar V = sums[(3 + type)*nBins_ + k];
+                volume += V;
+                row[5 + type] = V/binVolume;
+            }
+            row[0] = k;
+            row[1] = (k + 0.5)*width;
+            row[2] = volume/binVolume;
+            row[3] = ratio(sums[nBins_ + k], sums[k]);
+            row[4] = ratio(sums[2*nBins_ + k], volume);
+            writeRow(row);
+        }
+    }
+
+    return true;
+}

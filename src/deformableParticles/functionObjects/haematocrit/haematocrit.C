@@ -1,0 +1,97 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "haematocrit.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(haematocrit, 0);
+    addToRunTimeSelectionTable(functionObject, haematocrit, dictionary);
+}
+}
+
+
+Foam::functionObjects::haematocrit::haematocrit
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    suspensionTable(name, runTime, dict, typeName)
+{
+    read(dict);
+}
+
+
+Foam::functionObjects::tableHeader
+Foam::functionObjects::haematocrit::header() const
+{
+    tableHeader result("Tube and discharge haematocrit");
+    result.add("Ht").add("Hd").add("HtHd").add("phi")
+       .add("Ub", "m/s").add("Uc", "m/s");
+    for (const clumpType& type : cloud().types())
+    {
+        result.add("Ht_" + type.name()).add("Hd_" + type.name());
+    }
+    return result;
+}
+
+
+bool Foam::functionObjects::haematocrit::write()
+{
+    const deformableCloud& clumps = cloud();
+    const vector& e = axes().flow;
+
+    // Volume, flow, its magnitude, volume of the unions; then volume and flow of
+    // each type
+    const label first = 4;
+    scalarList sums(first + 2*clumps.types().size(), Zero);
+    for (const clumpParcel& p : clumps)
+    {
+        const clumpType& type = clumps.type(p);
+        const scalar V = type.nominalVolume();
+        sums[3] += type.volume()*type.relativeVolume(p.state().x);
+        sums[first + 2*p.typeId()] += V;
+        sums[first + 2*p.typeId() + 1] += V*(p.state().velocity(type) & e);
+    }
+    const volVectorField* U = velocity();
+    const scalarField& V = mesh_.V();
+    sums[0] = sum(V);
+    if (U)
+    {
+        const scalarField u(U->primitiveField() & e);
+        sums[1] = sum(V*u);
+        sums[2] = sum(V*mag(u));
+    }
+    sumUp(sums);
+
+    if (Pstream::master())
+    {
+        const scalar flow = mag(sums[1]) > 1e-3*sums[2] ? sums[1] : 0;
+        scalar volume = 0;
+        scalar ofClumps = 0;
+        scalarList row(6 + sums.size() - first);
+        for (label k = first; k < sums.size(); k += 2)
+        {
+            volume += sums[k];
+            ofClumps += sums[k + 1];
+            row[6 + k - first] = sums[k]/sums[0];
+            row[6 + k - first + 1] = ratio(sums[k + 1], flow);
+        }
+        row[0] = volume/sums[0];
+        row[1] = ratio(ofClumps, flow);
+        row[2] = ratio(row[0], row[1]);
+        row[3] = sums[3]/sums[0];
+        row[4] = sums[1]/sums[0];
+        row[5] = ratio(ofClumps, volume);
+        writeRow(row);
+    }
+
+    return true;
+}

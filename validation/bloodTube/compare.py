@@ -1,0 +1,92 @@
+"""Blood in tubes against the fits of Pries et al. (1992) at the tube haematocrit. The runs of the
+longest way are compared with the tube; the others, whose cells have not found their places, must
+lie between the tube and blood without a wall layer."""
+
+from results import Results, find, plt, read, save
+
+runs = read("data.csv")
+targets = read(find("reference/tube_targets_pries.csv"))
+results = Results()
+SOURCE = "Pries, Neuhaus, Gaehtgens 1992, at the tube haematocrit"
+ALLOWED = {0.1: "10%", 0.2: "10%", 0.3: "15%", 0.45: "25%"}
+ENOUGH = 25         # diameters of way
+
+# Misses that the README explains: (D, H, quantity): value
+KNOWN = {}
+
+
+def target(run):
+    """The row of the diameter and haematocrit, as every table value has one."""
+    return next(row for row in targets
+                if row["D_um"] == run["D_um"] and abs(row["Ht"] - run["H"]) < 1e-6)
+
+
+def bulk(H):
+    """Relative viscosity of blood in large tubes (the same source)."""
+    return 1 + 2.2*((1 - H)**-0.8 - 1)/(0.55**-0.8 - 1)
+
+
+longest = max(run["way_D"] for run in runs)
+for run in runs:
+    name = f"{run['D_um']:g} um, {100*run['H']:g} %"
+    if run["D_dx"] != 4 or run["way_D"] < longest:
+        continue
+    goal = target(run)
+    known = {key[2]: value for key, value in KNOWN.items() if key[:2] == (run["D_um"], run["H"])}
+    if run["way_D"] >= ENOUGH:
+        results.add(f"{name}: relative viscosity", run["muRel"], "-", goal["mu_rel"],
+                    ALLOWED[run["H"]], SOURCE, known.get("muRel"))
+        results.add(f"{name}: tube over discharge haematocrit", run["HtHd"], "-",
+                    goal["Ht_over_Hd"], 0.05, SOURCE, known.get("HtHd"))
+    else:
+        low, high = goal["mu_rel"], bulk(run["H"])
+        results.add(f"{name}, {run['way_D']:g} diameters of way: relative viscosity", run["muRel"],
+                    "-", (low + high)/2, round((high - low)/2 + 0.1*high, 4),
+                    "between the tube and blood without a wall layer, and 10 %")
+        low = goal["Ht_over_Hd"]
+        results.add(f"{name}, {run['way_D']:g} diameters of way: tube over discharge haematocrit",
+                    run["HtHd"], "-", (low + 1)/2, round((1 - low)/2 + 0.02, 4),
+                    "between the tube and an even distribution")
+    results.report(f"{name}: standard error of the viscosity", run["muRel_error"], "-", "blocks")
+    results.report(f"{name}: cell-free layer", 1e6*run["layer_m"], "um", "cellFreeLayer")
+    results.report(f"{name}: plasma layer of the same viscosity", goal["delta_visc_um"], "um",
+                   "two-fluid model with the viscosity of Pries et al.")
+    results.add(f"{name}: cells lost", run["cells"] - run["left"], "-", 0, 0, "none may be")
+    results.add(f"{name}: deepest overlap", run["overlap"], "sphere radii", 0, 0.05,
+                "mean over time of the deepest")
+    results.report(f"{name}: processor time", run["seconds"]/run["cells"]
+                   / (10*run["way_D"]), "s per cell and ms", "this machine")
+
+# Mesh and time step
+audits = [run for run in runs if run["way_D"] < longest]
+if audits:
+    base, half, fine = audits
+    results.add("half the time step: change of the viscosity", half["muRel"]/base["muRel"] - 1, "-",
+                0, 0.03, "the longer step")
+    results.add("D/dx 6: change of the viscosity", fine["muRel"]/base["muRel"] - 1, "-", 0, 0.05,
+                "D/dx 4")
+
+# The Fahraeus-Lindqvist effect
+order = sorted((run for run in runs if run["H"] == 0.3 and run["way_D"] == longest),
+               key=lambda run: run["D_um"])
+for thin, wide in zip(order, order[1:]):
+    results.add(f"viscosity in {thin['D_um']:g} um over that in {wide['D_um']:g} um",
+                thin["muRel"]/wide["muRel"], "-", target(thin)["mu_rel"]/target(wide)["mu_rel"],
+                0.15, SOURCE)
+
+figure, axes = plt.subplots(1, 2, figsize=(9, 3.8))
+widest = [run for run in runs if run["D_um"] == 20 and run["D_dx"] == 4 and run["way_D"] == longest]
+rows = [row for row in targets if row["D_um"] == 20]
+for panel, key, goal, label in ((axes[0], "muRel", "mu_rel", "relative viscosity"),
+                                (axes[1], "HtHd", "Ht_over_Hd", "tube over discharge haematocrit")):
+    panel.plot([row["Ht"] for row in rows], [row[goal] for row in rows], "k-", label="Pries 1992")
+    panel.errorbar([run["H"] for run in widest], [run[key] for run in widest],
+                   [run[key + "_error"] for run in widest], fmt="o", color="C3", label="20 um")
+    panel.set_xlabel("tube haematocrit")
+    panel.set_ylabel(label)
+    panel.legend()
+H = [0.05*k for k in range(10)]
+axes[0].plot(H, [bulk(h) for h in H], "k--", lw=1, label="large tubes")
+axes[0].legend()
+save(figure, "bloodTube.png")
+results.write()

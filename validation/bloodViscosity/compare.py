@@ -1,0 +1,78 @@
+"""Blood in shear: the relative viscosity lies between that in wide tubes at high shear, without
+aggregation (Pries et al. 1992), and fits to whole blood, with aggregation."""
+
+from results import Results, find, plt, read, save
+
+runs = read("data.csv")
+fits = read(find("reference/bulk_viscosity_vs_shear.csv"))
+results = Results()
+RADIUS = 3.91e-6        # of a red cell [m]
+
+# Misses that the README explains: (H, rate): value
+KNOWN = {}
+
+
+def high_shear(H):
+    """Relative viscosity in wide tubes (Pries et al. 1992)."""
+    return 1 + 2.2*((1 - H)**-0.8 - 1)/(0.55**-0.8 - 1)
+
+
+def whole_blood(H, rate):
+    """The larger one of the two fits."""
+    row = next(row for row in fits
+               if row["H"] == H and row["shear_1_per_s"] == rate)
+    return max(row["mu_rel_quemada"], row["mu_rel_mkm5"])
+
+
+longest = max(run["strain"] for run in runs)
+main = [run for run in runs if run["strain"] == longest and run["D_dx"] == 4]
+for run in main:
+    name = f"{100*run['H']:g} %, {run['rate']:g} 1/s"
+    low, high = high_shear(run["H"]), whole_blood(run["H"], run["rate"])
+    results.add(f"{name}: relative viscosity", run["muRel"], "-", (low + high)/2,
+                round((high - low)/2, 4), "between wide tubes at high shear and whole blood",
+                KNOWN.get((run["H"], run["rate"])))
+    results.report(f"{name}: standard error", run["muRel_error"], "-", "blocks")
+    results.report(f"{name}: share of the contacts in the stress",
+                   run["contact_Pa"]/run["tau_Pa"], "-", "contactStress")
+    results.report(f"{name}: diffusion across, over rate and radius squared",
+                   run["diffusion_m2_s"]/(run["rate"]*RADIUS**2), "-", "clumpDiffusion.py")
+    results.add(f"{name}: deepest overlap", run["overlap"], "sphere radii", 0, 0.05,
+                "mean over time of the deepest")
+    results.add(f"{name}: cells lost", run["cells"] - run["left"], "-", 0, 0, "none may be")
+    results.report(f"{name}: processor time",
+                   run["seconds"]/run["cells"]/(1e3*run["strain"]/run["rate"]),
+                   "s per cell and ms", "this machine")
+
+for H in sorted({run["H"] for run in main}):
+    rates = sorted((run for run in main if run["H"] == H), key=lambda run: run["rate"])
+    for slow, fast in zip(rates, rates[1:]):
+        thinning = slow["muRel"] - fast["muRel"]
+        error = (slow["muRel_error"]**2 + fast["muRel_error"]**2)**0.5
+        results.add(f"{100*H:g} %, {slow['rate']:g} to {fast['rate']:g} 1/s: thinning is positive",
+                    min(thinning, 0), "-", 0, round(2*error, 4), "shear thinning, two errors")
+
+audits = [run for run in runs if run["strain"] < longest]
+if audits:
+    base, half, fine = audits
+    results.add("half the time step: change of the viscosity", half["muRel"]/base["muRel"] - 1, "-",
+                0, 0.03, "the longer step")
+    results.add("D/dx 6: change of the viscosity", fine["muRel"]/base["muRel"] - 1, "-", 0, 0.05,
+                "D/dx 4")
+
+figure, axes = plt.subplots()
+for k, H in enumerate(sorted({run["H"] for run in main})):
+    rows = [row for row in fits if row["H"] == H and row["shear_1_per_s"] >= 50]
+    rate = [row["shear_1_per_s"] for row in rows]
+    axes.fill_between(rate, [high_shear(H)]*len(rate), [whole_blood(H, r) for r in rate],
+                      color=f"C{k}", alpha=0.2, lw=0)
+    own = [run for run in main if run["H"] == H]
+    axes.errorbar([run["rate"] for run in own], [run["muRel"] for run in own],
+                  [run["muRel_error"] for run in own], fmt="o", color=f"C{k}",
+                  label=f"{100*H:g} %")
+axes.set_xscale("log")
+axes.set_xlabel("shear rate [1/s]")
+axes.set_ylabel("relative viscosity")
+axes.legend(title="haematocrit")
+save(figure, "bloodViscosity.png")
+results.write()

@@ -1,0 +1,60 @@
+"""A red blood cell in shear, seen from several frames: path and angle against those of the first
+frame, after the frame's transformation."""
+
+from results import Results, plt, read, save
+
+length, width, middle = 45e-6, 22.5e-6, 22.5e-6
+speed = 0.6e-3                  # of the moving frame, m/s
+
+
+class Run:
+    """Path along the flow, along the gradient and along the vorticity [um], angle [rad]; sign is
+    that of the flow and of the turn"""
+
+    def __init__(self, row):
+        self.name = row["frame"]
+        rows = read(row["file"])
+        self.t = [r["t_s"] for r in rows]
+        flow, gradient, vorticity = "zxy" if self.name == "other axes" else "xyz"
+        mirror = -1 if self.name == "mirrored" else 1
+        turn = -1 if self.name.startswith("turned") else 1
+
+        x = [r[flow + "_m"] for r in rows]
+        for i in range(1, len(x)):
+            x[i] -= length*round((x[i] - x[i - 1])/length)
+        drift = speed if self.name == "moving" else 0
+        first = self.t[0]
+        self.x = [1e6*(mirror*turn*(v - x[0]) + drift*(t - first)) for t, v in zip(self.t, x)]
+        self.y = [1e6*turn*(r[gradient + "_m"] - width/2) for r in rows]
+        start = rows[0][vorticity + "_m"]
+        self.z = [1e6*(r[vorticity + "_m"] - start) for r in rows]
+        self.angle, last = [0], first
+        for r in rows[1:]:
+            self.angle.append(self.angle[-1] + mirror*r["omega" + vorticity]*(r["t_s"] - last))
+            last = r["t_s"]
+
+
+results = Results()
+runs = [Run(row) for row in read("data.csv")]
+base = runs[0]
+path = abs(base.x[-1])
+print(f"path {path:.3f} um, angle {base.angle[-1]:.4f}, y {base.y[-1]:.4f} um")
+for run in runs[1:]:
+    # The mesh elsewhere is another discretisation, everything else the same one
+    mesh = run.name in ("moving", "by half a mesh cell elsewhere")
+    limit = 0.5 if mesh else 0.05
+    off = max(abs(getattr(run, c)[-1] - getattr(base, c)[-1]) for c in "xyz")
+    turned = abs(run.angle[-1] - base.angle[-1])/abs(base.angle[-1])
+    results.add(f"position, {run.name}: difference over the path", 100*off/path, "%", 0, limit,
+                "the first frame")
+    results.add(f"angle, {run.name}: difference over the angle", 100*turned, "%", 0, limit,
+                "the first frame")
+
+figure, axes = plt.subplots(figsize=(6, 4))
+for run in runs:
+    axes.plot([1e3*t for t in run.t], run.y, "k--" if run is base else "-", label=run.name)
+axes.set_xlabel("time [ms]")
+axes.set_ylabel("distance from the middle [um]")
+axes.legend(fontsize=8)
+save(figure, "frames.png")
+results.write()

@@ -31,8 +31,8 @@ for name, what in (("drag_N", "drag of a cell that is held"), ("Lx_m", "extent a
                 channels["open"][name]/channels["periodic"][name], "", 1, "1%",
                 "the same flow far from the ends")
 
-# Force, and pressure drop times cross-section, over the drag of a cell that is held. A change of the
-# flow that is no jump becomes less with the time step, its second difference with its square
+# Force, and pressure drop times cross-section, over the drag of a cell that is held. A change of
+# the flow that is no jump becomes less with the time step, its second difference with its square
 for r in read("leaving.csv"):
     name = f"cell from inlet to outlet, acceleration {r['acceleration_m_s2']:g} m/s2, steps of " \
         f"{r['deltaT_s']:g} s"

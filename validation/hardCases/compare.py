@@ -13,7 +13,8 @@ def outcome(run):
     """held: to the end, in one piece, bounded; stopped: by the solver itself, with an error;
     crashed: otherwise."""
     if run["status"] == 0:
-        whole = run["clumps"] == run["placed"] and not run["nan"]
+        inside = 0 if run["left"] == run["placed"] else run["clumps"]
+        whole = inside + run["left"] == run["placed"] and not run["nan"]
         # A force of 1000 pN stretches as far as the bonds let it: the shape after the release
         # counts
         bounded = run["longest_m"] < (5 if "release" in run["name"]

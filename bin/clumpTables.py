@@ -13,8 +13,8 @@ name ends with the names there are.
 
 The tables of this library have the names in the first line that is not a comment. Those of OpenFOAM
 have them in the last comment line; a value in parentheses below `volAverage(U)` has the names
-`volAverage(U) x` and so on, and `Time` is `time`. A table that a restart has begun replaces the
-rows of the runs before from its first time on.
+`volAverage(U) x` and so on, and `Time` is `time`. A table of a restart replaces the rows of
+the runs before after the time at which it has started.
 """
 
 import os
@@ -77,8 +77,8 @@ def texts(case, name, **wanted):
             os.path.join(folder, start))]
         for file in sorted(files, key=os.path.getmtime):
             more = parse(file)
-            if rows and more:
-                rows = [r for r in rows if float(r["time"]) < float(more[0]["time"])]
+            if more:
+                rows = [r for r in rows if float(r["time"]) < (1 + 1e-9)*float(start)]
             rows += more
     for key, value in wanted.items():
         rows = [r for r in rows if r[key] == str(value)]

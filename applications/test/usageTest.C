@@ -10,11 +10,14 @@ Description
 
 #include "catch2/catch.hpp"
 #include "testCase.H"
+#include "injection.H"
+#include "openBox.H"
 #include "shape.H"
 #include "placement.H"
 #include "conservationModel.H"
 #include "integrator.H"
 #include "contactModel.H"
+#include "gapModel.H"
 #include "load.H"
 #include "solidFractionModel.H"
 #include "forcingModel.H"
@@ -106,6 +109,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<dampingModel>("bondMechanics/dampingModels");
     run<integrator>("integrators");
     run<contactModel>("contact/contactModels");
+    run<gapModel>("contact/gapModels");
     run<load>("clump/loads");
     run<solidFractionModel>("fluidCoupling/solidFractionModels");
     run<forcingModel>("fluidCoupling/forcingModels");
@@ -124,6 +128,17 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<conservationModel>
     (
         "bondMechanics/conservationModels", corners, scalarField(corners.size(), 1e-6)
+    );
+
+    const autoPtr<polyMesh> mesh(openBox());
+    const ghostExchange ghosts(*mesh);
+    PtrList<clumpType> types(2);
+    types.set(0, new clumpType("healthy", cellDict()));
+    types.set(1, new clumpType("schizont", cellDict()));
+    const HashTable<label> typeIds({{"healthy", 0}, {"schizont", 1}});
+    run<injection>
+    (
+        "cloud/injections", injection::site{*mesh, ghosts, types, typeIds, true}
     );
 }
 

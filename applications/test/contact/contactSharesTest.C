@@ -248,7 +248,16 @@ TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
         const auto push = [&](const pointField& x)
         {
             vector f(Zero);
-            for (const auto& w : contactShares::ofWalls(floor, x, scalarField(n, r)))
+            boundBox around(x, false);
+            around.min() -= r*vector::one;
+            around.max() += r*vector::one;
+            for
+            (
+                const auto& w : contactShares::ofWalls
+                (
+                    floor, floor.near(around), x, scalarField(n, r)
+                )
+            )
             {
                 f += w.share*w.wall.normal*model->force(w.depth, 0, r, 1);
             }

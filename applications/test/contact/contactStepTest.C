@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
-#include "testCloud.H"
-#include "bondForces.H"
+#include "touchingClumps.H"
+#include "mathematicalConstants.H"
 
 using namespace Foam;
 
@@ -13,132 +13,6 @@ namespace
 {
 
 const scalar r = 0.5e-6;
-
-//- A single elastic sphere
-dictionary sphereDict()
-{
-    return dictOf
-    (
-        "shape { type chain; nSpheres 1; sphereRadius 0.5e-6; }"
-        "density 1000; massModel union; motion free;"
-        "bondModel { type elastic; rigidities { normal 1e-12; tangential 1e-12;"
-        " bending 1e-24; torsional 1e-24; } }"
-        "dampingModel { type none; }"
-    );
-}
-
-//- Clumps without a fluid, in steps of dt
-struct dryCloud
-{
-    const scalar dt0;
-    autoPtr<openCloud> cloud;
-
-    dryCloud
-    (
-        const scalar dt,
-        const string& clumps,
-        const string& law = "reducedModulus 1000; restitution 1;",
-        const string& integration =
-            "type implicitEuler; tolerance 1e-9; maxIterations 200;",
-        const string& more = ""
-    )
-    :
-        dt0(testTime().deltaTValue())
-    {
-        dictionary dict
-        (
-            dictOf
-            (
-                "placement { type list; clumps (" + clumps + "); }"
-                "integrator { " + integration + " }"
-                "contactModel { type hertz; " + law + " }"
-                "wallContactModel { type hertz; " + law + " }"
-                "effects { fluid off; }" + more
-            )
-        );
-        dictionary types;
-        types.add("sphere", sphereDict());
-        types.add("cell", cellDict("type none;"));
-        dict.add("types", types);
-        testTime().setDeltaT(dt, false);
-        cloud.reset(new openCloud(testMesh(), dict));
-    }
-
-    ~dryCloud()
-    {
-        testTime().setDeltaT(dt0, false);
-    }
-
-    void step()
-    {
-        cloud->evolve();
-        cloud->moveParcels();
-    }
-
-    //- Sum over the clumps of all processors
-    template<class Type, class Function>
-    Type sumOver(const Function& of) const
-    {
-        Type result(pTraits<Type>::zero);
-        for (const clumpParcel& p : *cloud)
-        {
-            result += of(p, cloud->type(p));
-        }
-        return returnReduce(result, sumOp<Type>());
-    }
-
-    vector momentum() const
-    {
-        return sumOver<vector>
-        (
-            [](const clumpParcel& p, const clumpType& type)
-            {
-                return type.mass()*p.state().velocity(type);
-            }
-        );
-    }
-
-    //- Kinetic and elastic, without that of the contacts, which is never negative
-    scalar energy() const
-    {
-        return sumOver<scalar>
-        (
-            [&](const clumpParcel& p, const clumpType& type)
-            {
-                vectorField F(type.size()), T(type.size());
-                const clumpState& s = p.state();
-                return
-                    s.kineticEnergy(type)
-                  + bondForces(cloud->bonds(p), s).stepForces(s, -1, F, T);
-            }
-        );
-    }
-
-    //- Per clump, in the order of placement
-    vectorField centres() const
-    {
-        vectorField result(cloud->nClumps(), Zero);
-        for (const clumpParcel& p : *cloud)
-        {
-            result[p.origId()] = p.centre(cloud->type(p));
-        }
-        reduce(result, sumOp<vectorField>());
-        return result;
-    }
-};
-
-string at
-(
-    const string& type, const vector& x, const vector& u = Zero,
-    const string& more = ""
-)
-{
-    OStringStream os;
-    os.precision(15);
-    os  << "{ type " << type.c_str() << "; position " << x << "; velocity " << u
-        << "; " << more.c_str() << " } ";
-    return os.str();
-}
 
 }
 
@@ -242,6 +116,41 @@ TEST_CASE("contact step: nothing passes through anything", "[contact]")
     INFO(type << ' ' << part << ": " << x[0].x() << ' ' << x[1].x());
     CHECK(x[0].x() - x[1].x() > D - 0.2*r);
     CHECK(mag(t.momentum() - P) < 1e-11*mag(P));
+}
+
+
+TEST_CASE("contact step: what slips around is noticed", "[contact]")
+{
+    // Two spheres that meet head on with three diameters of displacement, off the line
+    // by a hair, against a pair that slows down and one that has room to pass
+    const scalar dt = 1e-4;
+    const auto passing = [&](const scalar way, const scalar aside)
+    {
+        dryCloud t
+        (
+            dt,
+            at("sphere", point(10e-6, 10e-6, 10e-6), Zero)
+          + at
+            (
+                "sphere", point(8.7e-6, 10e-6 + aside, 10e-6),
+                vector(way/dt, 0, 0)
+            )
+        );
+        t.cloud->evolve();
+        bool any = false;
+        for (const bool passes : t.cloud->passing())
+        {
+            any = any || passes;
+        }
+        const vectorField x(t.centres());
+        INFO(way << ' ' << aside << ": " << x[0].x() << ' ' << x[1].x());
+        const bool passed = x[1].x() > x[0].x() && mag(aside) < 0.5*r;
+        CHECK(returnReduce(any, orOp<bool>()) == passed);
+        return passed;
+    };
+    CHECK(!passing(0.8e-6, 0.01e-6));
+    CHECK(!passing(3e-6, 1.3e-6));
+    CHECK(passing(6e-6, 0.01e-6));
 }
 
 
@@ -387,4 +296,113 @@ TEST_CASE("contact step: a contact costs the clumps that it moves", "[contact]")
     INFO(n << " solutions in two steps");
     CHECK(n >= 2*216);
     CHECK(n < 2*216 + 80);
+}
+
+
+TEST_CASE("contact step: a column between two walls carries one force", "[contact][walls]")
+{
+    // Four spheres are together higher than the box. The overlaps with the walls and
+    // between spheres differ, since R* differs; the forces do not. Time to settle, but
+    // not to buckle
+    const scalar rs = 2.54e-6, E = 1000, H = 20e-6;
+    const label n = 4;
+    string clumps;
+    for (label k = 0; k < n; ++k)
+    {
+        clumps += at("big", point(10e-6, H*(k + 0.5)/n, 10e-6));
+    }
+    dryCloud t
+    (
+        2e-5, clumps, "reducedModulus 1000; restitution 0.5;",
+        "type implicitEuler; tolerance 1e-10; maxIterations 200;",
+        "types { big { shape { type chain; nSpheres 1; sphereRadius 2.54e-6; }"
+        " density 1000; massModel union; motion free; bondModel { type elastic;"
+        " rigidities { normal 1e-12; tangential 1e-12; bending 1e-24;"
+        " torsional 1e-24; } } dampingModel { type none; } } }"
+    );
+    for (label step = 0; step < 40; ++step)
+    {
+        t.step();
+    }
+    const vectorField x(t.centres());
+
+    // 2 d_w + (n - 1) d_s = 2 n r - H with d_s = 2^(1/3) d_w
+    const scalar dw = (2*n*rs - H)/(2 + (n - 1)*Foam::cbrt(2.0));
+    const auto force = [&](const scalar d, const scalar R)
+    {
+        return 4.0/3.0*E*Foam::sqrt(R)*Foam::pow(max(d, scalar(0)), 1.5);
+    };
+    const scalar F = force(dw, rs);
+    INFO(dw << ": " << rs - x[0].y() << ' ' << 2*rs - mag(x[1] - x[0]) << ' '
+        << 2*rs - mag(x[2] - x[1]) << ", aside " << x[1].x() - x[0].x());
+    CHECK(force(rs - x[0].y(), rs) == Approx(F).epsilon(1e-5));
+    CHECK(force(x[n - 1].y() + rs - H, rs) == Approx(F).epsilon(1e-5));
+    for (label k = 0; k + 1 < n; ++k)
+    {
+        INFO(k);
+        CHECK
+        (
+            force(2*rs - mag(x[k + 1] - x[k]), 0.5*rs)
+         == Approx(F).epsilon(1e-5)
+        );
+    }
+    for (const clumpParcel& p : *t.cloud)
+    {
+        CHECK(mag(p.step().forces.f[0]) < 1e-5*F);
+    }
+}
+
+
+TEST_CASE("contact step: a stack of clumps carries its load", "[contact][walls]")
+{
+    // Rings on the floor, each pushed down by the same force: the overlap under k of
+    // them is k^(2/3) times that under one. Time to settle, but not to turn about
+    // their axis until the spheres of one lie in the gaps of the next
+    const label n = 4;
+    const scalar rs = 1.475e-6, W = 4e-12;
+    string clumps;
+    for (label k = 0; k < n; ++k)
+    {
+        clumps += at
+        (
+            "ring", point(10e-6, rs*(1 + 2*k), 10e-6), Zero,
+            "axis (1 0 0); angle 90;"
+        );
+    }
+    OStringStream load;
+    load<< "loads { press { type pointForces; clumpType ring; factor 1; spheres "
+        << identity(10) << "; forces " << vectorField(10, vector(0, -0.1*W, 0))
+        << "; torques " << vectorField(10, Zero) << "; } }";
+    dryCloud t
+    (
+        2e-5, clumps, "reducedModulus 1000; restitution 0.5;",
+        "type implicitEuler; tolerance 1e-10; maxIterations 200;",
+        string(load.str())
+      + "types { ring { shape { type ring; nSpheres 10; ringRadius 2.435e-6;"
+        " sphereRadius 1.475e-6; } density 1000; massModel union; motion free;"
+        " bondModel { type elastic; youngModulus 1e5; shearModulus 1e5;"
+        " multipliers { normal 1; tangential 1; bending 1; torsional 1; } }"
+        " dampingModel { type none; } } }"
+    );
+    for (label step = 0; step < 60; ++step)
+    {
+        t.step();
+    }
+    const vectorField x(t.centres());
+    const scalar top = 2*rs - (x[n - 1].y() - x[n - 2].y());
+
+    // The sum over the pairs is L/(r sqrt(pi/2)) times that of one
+    const scalar L = constant::mathematical::twoPi*2.435e-6;
+    CHECK
+    (
+        L/(rs*Foam::sqrt(0.5*constant::mathematical::pi))
+       *4.0/3.0*1000*Foam::sqrt(0.5*rs)*Foam::pow(top, 1.5)
+     == Approx(W).epsilon(0.05)
+    );
+    for (label k = 2; k < n; ++k)
+    {
+        const scalar d = 2*rs - (x[n - k].y() - x[n - k - 1].y());
+        INFO(k << ": " << d << ' ' << top);
+        CHECK(d == Approx(top*Foam::pow(scalar(k), 2.0/3.0)).epsilon(0.01));
+    }
 }

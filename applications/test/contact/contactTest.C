@@ -7,6 +7,7 @@
 #include "testCase.H"
 #include "sphereGrid.H"
 #include "contactModel.H"
+#include "mathematicalConstants.H"
 #include <array>
 #include <chrono>
 #include <set>
@@ -158,7 +159,43 @@ TEST_CASE("contact: Hertz's law", "[contact][serial]")
         model->force(d, 0, r, r, m, m)
      == Approx(4.0/3.0*1000*Foam::sqrt(0.5*r)*Foam::pow(d, 1.5))
     );
+}
 
+
+TEST_CASE("contact: the overlap that is allowed under a stress", "[contact][serial]")
+{
+    const scalar part = GENERATE(0.02, 0.1), p = 15, m = 1e-14;
+    OStringStream os;
+    os  << "type hertz; allowedOverlap " << part << "; stress " << p
+        << "; restitution 1;";
+    const auto model(selectModel<contactModel>(dictOf(os.str())));
+    for (const scalar r : {0.5e-6, 3e-6})
+    {
+        const scalar F = constant::mathematical::pi*sqr(r)*p;
+        CHECK(model->force(part*r, 0, r, r, m, m) == Approx(F));
+        CHECK(model->force(0.794*part*r, 0, r, m) == Approx(F).epsilon(1e-3));
+    }
+    for
+    (
+        const string& wrong :
+        {
+            string("allowedOverlap 0.05;"),
+            string("stress 15;"),
+            string("reducedModulus 1000; stress 15;"),
+            string("reducedModulus 1000; allowedOverlap 0.05; stress 15;"),
+            string("allowedOverlap 0.9; stress 15;"),
+            string("allowedOverlap 0.05; stress -15;")
+        }
+    )
+    {
+        CHECK_THROWS
+        (
+            selectModel<contactModel>
+            (
+                dictOf("type hertz; restitution 1; " + wrong)
+            )
+        );
+    }
 }
 
 

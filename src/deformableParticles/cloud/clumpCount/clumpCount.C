@@ -5,6 +5,7 @@
 
 #include "clumpCount.H"
 #include "FlatOutput.H"
+#include "foamCompat.H"
 #include "labelVector.H"
 #include "polyMesh.H"
 #include "Time.H"
@@ -153,7 +154,7 @@ void Foam::clumpCount::gather()
         [](const clumpPassage& a, const clumpPassage& b) { return a.id < b.id; }
     );
     passages_ = sorted;
-    Pstream::scatter(passages_);
+    masterToAll(passages_);
 }
 
 

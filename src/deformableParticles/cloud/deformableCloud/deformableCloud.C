@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpInjector.H"
 
 void Foam::deformableCloud::evolve
 (
@@ -19,11 +20,17 @@ void Foam::deformableCloud::evolve
     gatherForces(U, p, nu);
     decideEffects();
     solve(mesh_.time().deltaTValue());
+    accept();
+}
 
+
+void Foam::deformableCloud::accept()
+{
     for (clumpParcel& parcel : *this)
     {
         parcel.accept();
     }
+    contacting_.forget();
 }
 
 
@@ -32,11 +39,7 @@ void Foam::deformableCloud::evolve()
     updateGhosts();
     decideEffects();
     solve(mesh_.time().deltaTValue());
-
-    for (clumpParcel& parcel : *this)
-    {
-        parcel.accept();
-    }
+    accept();
 }
 
 
@@ -63,6 +66,16 @@ void Foam::deformableCloud::moveParcels()
         }
     };
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
+    if (injector_->inject(*this, count_))
+    {
+        // The distances to the walls were measured without the new clumps; outer
+        // correctors need the walls before they are measured again
+        walls_.clear();
+        if (effects_.active("walls"))
+        {
+            walls_.update(ghosts_);
+        }
+    }
 
     count_.endStep(size());
     timing_.endStep

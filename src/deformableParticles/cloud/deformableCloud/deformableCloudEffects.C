@@ -16,6 +16,23 @@ void Foam::deformableCloud::refuseIdleEffects() const
     (
         "walls", walls_.active(), "the type of wallContactModel is none"
     );
+    for (const word& entry : gapForces::entries())
+    {
+        const string reason(idleReason(entry));
+        effects_.require(entry.c_str(), reason.empty(), reason);
+        if
+        (
+            reason.empty() && !effects_.switchedOff(entry.c_str())
+         && gaps_.model(entry)->needsFluid() && !integrator_->implicit()
+        )
+        {
+            FatalIOErrorInFunction(getDict(dict_, entry))
+                << "Entry '" << entry << "' needs an implicit integrator:"
+                << " the resistance of a narrow gap would limit the step of an"
+                << " explicit one. Valid here: implicitEuler"
+                << exit(FatalIOError);
+        }
+    }
 }
 
 
@@ -24,6 +41,7 @@ void Foam::deformableCloud::decideEffects()
     decideGravity();
     decideContact();
     decideWalls();
+    decideGaps();
 }
 
 
@@ -71,7 +89,8 @@ void Foam::deformableCloud::decideContact()
         (
             contacts_.near
             (
-                ghosts_.images(), ghosts_.nOwn(), mesh_.time().deltaTValue()
+                ghosts_.images(), ghosts_.nOwn(), mesh_.time().deltaTValue(),
+                gapRange(false)
             ),
             orOp<bool>()
         );
@@ -99,8 +118,82 @@ void Foam::deformableCloud::decideWalls()
         return;
     }
     walls_.update(ghosts_);
-    if (walls_.gapMeasured(*this, maxSpeed()*mesh_.time().deltaTValue()))
+    const scalar displacement = maxSpeed()*mesh_.time().deltaTValue();
+    if (walls_.gapMeasured(*this, displacement, gapRange(true)))
     {
         effects_.decide("walls", walls_.near(), walls_.gap());
+    }
+}
+
+
+Foam::string Foam::deformableCloud::idleReason(const word& entry) const
+{
+    const gapModel* model = gaps_.model(entry);
+    if (!model)
+    {
+        return "there is no entry " + entry;
+    }
+    if (model->needsFluid() && !effects_.active("feedback"))
+    {
+        return "the flow does not feel the clumps";
+    }
+    const bool between = contacts_.active() && !effects_.switchedOff("contact");
+    const bool atWalls =
+        model->atWalls() && walls_.active() && !effects_.switchedOff("walls");
+    if (!between && !atWalls)
+    {
+        return "contact is off";
+    }
+    return "";
+}
+
+
+Foam::scalar Foam::deformableCloud::gapRange(const bool atWalls) const
+{
+    scalar width = 0;
+    scalar result = 0;
+    for (const word& entry : gapForces::entries())
+    {
+        if (effects_.switchedOff(entry.c_str()) || idleReason(entry).size())
+        {
+            continue;
+        }
+        if (width == 0)
+        {
+            for (const clumpParcel& p : *this)
+            {
+                width = max(width, Foam::cbrt(mesh_.V()[p.cell()]));
+            }
+            reduce(width, maxOp<scalar>());
+        }
+        const gapModel& model = *gaps_.model(entry);
+        if (!atWalls || model.atWalls())
+        {
+            result = max(result, model.range(width));
+        }
+    }
+    return result;
+}
+
+
+void Foam::deformableCloud::decideGaps()
+{
+    const bool contact = effects_.active("contact");
+    const bool walls = effects_.active("walls");
+    for (const word& entry : gapForces::entries())
+    {
+        const string reason(idleReason(entry));
+        const gapModel* model = gaps_.model(entry);
+        const bool near = contact || (model && model->atWalls() && walls);
+        effects_.decide
+        (
+            entry.c_str(),
+            reason.empty() && near,
+            reason.size() ? reason
+          : contact ? string("clumps are near")
+          : near ? string("walls are near")
+          : string("nothing is near")
+        );
+        gaps_.setActive(entry, effects_.active(entry.c_str()));
     }
 }

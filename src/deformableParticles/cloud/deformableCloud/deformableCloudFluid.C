@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpInjector.H"
 
 void Foam::deformableCloud::immerse
 (
@@ -180,5 +181,6 @@ void Foam::deformableCloud::meshChanged()
 {
     coupling_->boundary().meshChanged();
     walls_.clear();
+    injector_->meshChanged();
     openPatches_.clear();
 }

@@ -5,7 +5,14 @@
 
 #include "deformableCloud.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "vector2D.H"
+
+const Foam::clumpInjector& Foam::deformableCloud::injector() const
+{
+    return *injector_;
+}
+
 
 bool Foam::deformableCloud::needsShorterStep() const
 {

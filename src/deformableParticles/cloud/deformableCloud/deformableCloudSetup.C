@@ -6,6 +6,7 @@
 #include "deformableCloud.H"
 #include "accuracyLevel.H"
 #include "clumpFields.H"
+#include "clumpInjector.H"
 #include "FlatOutput.H"
 #include "foamCompat.H"
 #include "functionObject.H"
@@ -71,7 +72,8 @@ Foam::deformableCloud::deformableCloud
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
     contacts_(types_, dict_),
     walls_(mesh, types_, dict_),
-    contacting_(mesh, types_, bonds_, contacts_, walls_),
+    gaps_(dict_),
+    contacting_(mesh, types_, bonds_, contacts_, walls_, gaps_),
     nSolves_(0),
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
@@ -83,9 +85,9 @@ Foam::deformableCloud::deformableCloud
     (
         dict_,
         {
-            "types", "placement", "integrator", "contactModel",
-            "wallContactModel", "loads", "effects", "rotation",
-            "couplingScheme", "immersedBoundary", "openPatches",
+            "types", "placement", "injection", "integrator", "contactModel",
+            "wallContactModel", "lubrication", "aggregation", "loads", "effects",
+            "rotation", "couplingScheme", "immersedBoundary", "openPatches",
             "accuracyLevel"
         }
     );
@@ -125,6 +127,15 @@ Foam::deformableCloud::deformableCloud
     }
     count_.start(size());
     reportFractions();
+    injector_.reset
+    (
+        new clumpInjector
+        (
+            name, dict_,
+            injection::site{mesh, ghosts_, types_, typeIds_, hasFluid()}
+        )
+    );
+    injector_->begin(*this);
 
     if (!openPatches_.empty())
     {
@@ -142,6 +153,10 @@ Foam::deformableCloud::deformableCloud
     }
     decideEffects();
 }
+
+
+Foam::deformableCloud::~deformableCloud()
+{}
 
 
 const Foam::deformableCloud& Foam::deformableCloud::find
@@ -329,6 +344,10 @@ void Foam::deformableCloud::place()
 {
     clumpFields::refuseRemains(*this);
     count_.check(size(), cloud::prefix/name());
+    if (!dict_.found("placement") && dict_.found("injection"))
+    {
+        return;
+    }
 
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place

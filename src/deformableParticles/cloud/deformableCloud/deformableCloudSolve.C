@@ -8,6 +8,7 @@
 void Foam::deformableCloud::solve(const scalar dt)
 {
     momentum_ = clumpMomentum();
+    passing_.clear();
     contactSummary_ = contactSummary();
     for (clumpParcel& p : *this)
     {
@@ -125,6 +126,17 @@ void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
 void Foam::deformableCloud::findContacts(const scalar dt, const scalar slack)
 {
     const bool betweenClumps = effects_.active("contact");
+    const bool atWalls = effects_.active("walls");
+    if (coupled())
+    {
+        gaps_.setViscosity(coupling_->viscosity());
+    }
+
+    // In further outer correctors the clumps are still where the step began
+    if (contacting_.resume(dt, slack, betweenClumps, atWalls))
+    {
+        return;
+    }
     {
         const timeBreakdown::timer t
         (
@@ -132,7 +144,7 @@ void Foam::deformableCloud::findContacts(const scalar dt, const scalar slack)
         );
         contacting_.find(*this, dt, slack, betweenClumps);
     }
-    if (effects_.active("walls"))
+    if (atWalls)
     {
         const timeBreakdown::timer t(timing_, "walls");
         contacting_.findPlanes();
@@ -160,6 +172,7 @@ void Foam::deformableCloud::advanceTogether(const scalar dt)
         }
     }
     findContacts(dt, slack);
+    slack = contacting_.slack();
     bool any = contacting_.addTouching(together);
 
     label index = 0;
@@ -203,6 +216,7 @@ void Foam::deformableCloud::advanceTogether(const scalar dt)
     }
 
     contacting_.addReceived();
+    passing_ = contacting_.passing();
     contactSummary_ = contacting_.summary();
 }
 

@@ -5,6 +5,7 @@
 
 #include "openPatches.H"
 #include "checkedEntries.H"
+#include "foamCompat.H"
 #include "wallPolyPatch.H"
 
 namespace
@@ -41,8 +42,7 @@ Foam::openPatches::openPatches
     {
         faces[patchi] = patches[patchi].size();
     }
-    Pstream::listCombineGather(faces, plusEqOp<label>());
-    Pstream::listCombineScatter(faces);
+    reduceList(faces, plusEqOp<label>());
 
     forAll(faces, patchi)
     {

@@ -18,7 +18,8 @@ Foam::sceneEffects::sceneEffects(const dictionary& clumpProperties)
     const char* const names[] =
     {
         "fluid", "feedback", "convection", "refinement", "gravity", "rotation",
-        "loads", "damping", "conservation", "contact", "walls"
+        "loads", "damping", "conservation", "contact", "walls", "lubrication",
+        "aggregation"
     };
     for (const char* name : names)
     {

@@ -16,7 +16,7 @@ namespace
 
 using namespace Foam;
 
-//- Fatal where clumps could not cross or touch a patch: what lies behind it
+//- With the first clump: fatal where clumps could not cross or touch a patch. What lies behind it
 //  would be missing from walls, contacts and forces
 void checkPatches(const polyBoundaryMesh& patches)
 {
@@ -57,13 +57,16 @@ void checkPatches(const polyBoundaryMesh& patches)
 
         if (faces[patchi] && !supported)
         {
-            FatalErrorInFunction
+            FatalIOError
+            (
+                FUNCTION_NAME, __FILE__, __LINE__, patches.objectPath(), 0
+            )
                 << "Patch " << patches[patchi].name() << " is of type " << type
                 << (rotates[patchi] ? " (rotational)" : "")
                 << ". Clumps cannot have images behind such a patch; supported"
                 << " types are wall, patch and translational cyclic." << nl
                 << "    For a plane of symmetry, mesh both sides of it."
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 }
@@ -82,7 +85,6 @@ Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
     procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
     gatherToAll(procBoxes_);
 
-    checkPatches(mesh_.boundaryMesh());
     findShifts();
 }
 
@@ -175,6 +177,10 @@ void Foam::ghostExchange::findShifts()
 void Foam::ghostExchange::findNeighbours(const scalar reach)
 {
     // Widened, so that this need not be repeated when a clump stretches
+    if (reach_ <= 0 && reach > 0)
+    {
+        checkPatches(mesh_.boundaryMesh());
+    }
     reach_ = 1.5*reach;
     neighbours_.clear();
     ++nSearches_;

@@ -21,13 +21,14 @@ bool Foam::clumpContacts::near
 (
     const UList<clumpImage>& images,
     const label nOwn,
-    const scalar dt
+    const scalar dt,
+    const scalar range
 ) const
 {
     scalarField margins(nOwn);
     forAll(margins, a)
     {
-        margins[a] = 2*max(mag(images[a].u))*dt;
+        margins[a] = 2*max(mag(images[a].u))*dt + range;
     }
     bool found = false;
     sphereGrid::forEachNear

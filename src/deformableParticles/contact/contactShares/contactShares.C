@@ -50,8 +50,10 @@ Foam::DynamicList<Foam::contactShares::wallContact>
 Foam::contactShares::ofWalls
 (
     const wallSurface& walls,
+    const UList<label>& triangles,
     const UList<point>& x,
-    const UList<scalar>& r
+    const UList<scalar>& r,
+    const scalar range
 )
 {
     DynamicList<wallContact> result;
@@ -59,7 +61,11 @@ Foam::contactShares::ofWalls
 
     forAll(x, i)
     {
-        for (const wallSurface::contact& c : walls.contacts(x[i], r[i]))
+        for
+        (
+            const wallSurface::contact& c
+          : walls.contacts(x[i], r[i] + range, triangles)
+        )
         {
             result.append({i, c, 0, 0});
         }

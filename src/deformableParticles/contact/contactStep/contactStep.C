@@ -11,18 +11,24 @@ Foam::contactStep::contactStep
     const PtrList<clumpType>& types,
     const PtrList<clumpBonds>& bonds,
     const clumpContacts& contacts,
-    const wallContacts& walls
+    const wallContacts& walls,
+    const gapForces& gaps
 )
 :
+    mesh_(mesh),
     types_(types),
     bonds_(bonds),
     contacts_(contacts),
     walls_(walls),
+    gaps_(gaps),
     ghosts_(mesh),
     span_(0),
     dt_(0),
-    slack_(0)
-{}
+    slack_(0),
+    range_(0)
+{
+    forget();
+}
 
 
 const Foam::contactModel& Foam::contactStep::law(const touch& t) const
@@ -67,7 +73,7 @@ bool Foam::contactStep::addTouching(UList<bool>& together)
                 t.b < 0
               ? min(t.n & dx, scalar(0)) - t.radii
               : leastDistance(before(t), dx) - t.radii;
-            together[a] = gap < 0;
+            together[a] = gap < t.range;
         }
         if (together[a])
         {
@@ -103,6 +109,27 @@ Foam::scalar Foam::contactStep::deviation() const
         }
     }
     return returnReduce(result, maxOp<scalar>());
+}
+
+
+Foam::boolList Foam::contactStep::passing() const
+{
+    boolList result(clumps_.size(), false);
+    for (const touch& t : touches_)
+    {
+        if (t.b >= 0 && isMember_[t.a])
+        {
+            const vector x(before(t));
+            const vector dx(displacement(t));
+            result[t.a] =
+                result[t.a]
+             || (
+                    ((x + dx) & x) < 0
+                 && leastDistance(x, dx) < 0.5*t.radii
+                );
+        }
+    }
+    return result;
 }
 
 

@@ -95,7 +95,7 @@ void Foam::contactStep::evaluate(touch& t) const
         t.n = distance > SMALL*t.R ? vector(x/distance) : vector::zero;
     }
     t.w = {0, 0, 0};
-    if (t.d > 0)
+    if (t.touches && t.d > 0)
     {
         t.w = law(t).step
         (
@@ -104,6 +104,16 @@ void Foam::contactStep::evaluate(touch& t) const
         t.w.energy *= t.share/t.ratio;
         t.w.force *= t.share;
         t.w.stiffness *= t.share*t.ratio;
+    }
+    if (t.reaches && max(t.d, t.first) > -t.range)
+    {
+        const contactModel::increment w = gaps_.step
+        (
+            -t.d, -t.first, dt_, t.R, t.cellWidth, t.b < 0
+        );
+        t.w.energy += t.gapShare*w.energy;
+        t.w.force += t.gapShare*w.force;
+        t.w.stiffness += t.gapShare*w.stiffness;
     }
 }
 
@@ -121,13 +131,10 @@ void Foam::contactStep::sumForces
     for (label k = begins_[a]; k < begins_[a + 1]; ++k)
     {
         const touch& t = touches_[k];
-        if (t.w.force > 0)
-        {
-            // Two members have half of the energy each
-            const bool both = t.b >= 0 && isMember_[t.slot];
-            energy += (both ? 0.5 : 1)*t.w.energy;
-            f[t.i] += t.w.force*t.n;
-        }
+        // Two members have half of the energy each
+        const bool both = t.b >= 0 && isMember_[t.slot];
+        energy += (both ? 0.5 : 1)*t.w.energy;
+        f[t.i] += t.w.force*t.n;
     }
 }
 
@@ -191,7 +198,7 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
             const touch& t = touches_[k];
-            if (t.b < 0 || t.w.force <= 0)
+            if (t.b < 0 || (t.w.force == 0 && t.w.stiffness == 0))
             {
                 continue;
             }
@@ -213,7 +220,9 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
 {
     const List<vectorField> moves(ofSlots(step));
 
-    // Up to half of a gap and a quarter of a radius nearer
+    // Up to half of a gap and a quarter of a radius nearer. Where spheres attract each
+    // other, which depends on no mesh, less than to the largest attraction farther
+    const scalar attraction = gaps_.range(0, false);
     scalar part = 1;
     forAll(members_, m)
     {
@@ -236,6 +245,11 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
             if (nearer > allowed)
             {
                 part = min(part, allowed/mag(dx));
+            }
+            if (attraction > 0 && t.b >= 0 && -t.d < attraction)
+            {
+                const scalar farther = mag(distance*t.n + dx) - distance;
+                part = min(part, attraction/(24*max(farther, VSMALL)));
             }
         }
     }

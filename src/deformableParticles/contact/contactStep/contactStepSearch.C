@@ -7,6 +7,42 @@
 #include "sphereGrid.H"
 #include <algorithm>
 
+void Foam::contactStep::clearMembers()
+{
+    members_.clear();
+    clumpOf_.clear();
+    forces_.clear();
+    energies_.clear();
+    isMember_ = Zero;
+}
+
+
+bool Foam::contactStep::resume
+(
+    const scalar dt,
+    const scalar slack,
+    const bool betweenClumps,
+    const bool atWalls
+)
+{
+    if
+    (
+        search_.slack < slack
+     || search_.dt != dt
+     || search_.betweenClumps != betweenClumps
+     || search_.atWalls != atWalls
+     || search_.acrossGaps != (gaps_.active(false) || gaps_.active(true))
+    )
+    {
+        return false;
+    }
+    clearMembers();
+    touches_ = search_.touches;
+    begins_ = search_.begins;
+    return true;
+}
+
+
 void Foam::contactStep::find
 (
     Cloud<clumpParcel>& clumps,
@@ -25,12 +61,13 @@ void Foam::contactStep::find
     {
         clumps_.set(index++, &p);
     }
-    members_.clear();
-    clumpOf_.clear();
-    forces_.clear();
-    energies_.clear();
+    clearMembers();
     touches_.clear();
+    search_.betweenClumps = betweenClumps;
+    search_.atWalls = false;
+    search_.acrossGaps = gaps_.active(false) || gaps_.active(true);
 
+    setCellWidths();
     setImages(betweenClumps);
     if (betweenClumps)
     {
@@ -41,9 +78,16 @@ void Foam::contactStep::find
 
 void Foam::contactStep::findPlanes()
 {
+    search_.atWalls = true;
+    wallsNear_.setSize(clumps_.size());
     for (label a = 0; a < clumps_.size(); ++a)
     {
-        findPlanes(a);
+        findWalls(a);
+        if (wallsNear_[a].size())
+        {
+            findPlanes(a);
+            findFilms(a);
+        }
     }
     std::stable_sort
     (
@@ -56,7 +100,71 @@ void Foam::contactStep::findPlanes()
 void Foam::contactStep::endSearch()
 {
     setSlots();
+    setRanges();
     distribute(true);
+
+    search_.dt = span_;
+    search_.slack = slack_;
+    search_.touches = touches_;
+    search_.begins = begins_;
+}
+
+
+void Foam::contactStep::findWalls(const label a)
+{
+    // Around all places that the clump may reach in the step
+    const clumpParcel& p = clumps_[a];
+    wallsNear_[a].clear();
+    if (type(a).fixed())
+    {
+        return;
+    }
+    const scalar width =
+        max(type(a).radii()) + span_*max(mag(p.state().u)) + slack_
+      + gaps_.range(cellWidths_[a], true);
+    boundBox box(p.centres(), false);
+    box.min() -= width*vector::one;
+    box.max() += width*vector::one;
+    wallsNear_[a] = walls_.surface().near(box);
+}
+
+
+void Foam::contactStep::setCellWidths()
+{
+    range_ = 0;
+    cellWidths_ = scalarList(clumps_.size(), Zero);
+    if (!gaps_.active(false) && !gaps_.active(true))
+    {
+        return;
+    }
+    scalar widest = 0;
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        cellWidths_[a] = Foam::cbrt(mesh_.cellVolumes()[clumps_[a].cell()]);
+        widest = max(widest, cellWidths_[a]);
+    }
+    range_ = gaps_.range(returnReduce(widest, maxOp<scalar>()), false);
+}
+
+
+void Foam::contactStep::setRanges()
+{
+    if (!gaps_.active(false) && !gaps_.active(true))
+    {
+        return;
+    }
+    cellWidths_.setSize(remote_.nSlots());
+    remote_.exchange(cellWidths_);
+    for (touch& t : touches_)
+    {
+        const bool wall = t.b < 0;
+        if (t.reaches)
+        {
+            const scalar own = cellWidths_[t.a];
+            t.cellWidth = wall ? own : 0.5*(own + cellWidths_[t.slot]);
+            t.range = gaps_.range(t.cellWidth, wall);
+        }
+    }
 }
 
 
@@ -102,7 +210,7 @@ void Foam::contactStep::setImages(const bool betweenClumps)
     forAll(images, a)
     {
         const clumpParcel& p = clumps_[a];
-        const vector margin(slack_*vector::one);
+        const vector margin((slack_ + 0.5*range_)*vector::one);
         clumpImage& image = images[a];
         image.set(p, type(a), p.state(), a);
         boundBox& box = image.box;
@@ -142,7 +250,7 @@ void Foam::contactStep::findPairs()
         {
             boundBox path(image.x[i], image.x[i]);
             path.add(image.x[i] + span_*image.u[i]);
-            const vector width((r[i] + slack_)*vector::one);
+            const vector width((r[i] + slack_ + 0.5*range_)*vector::one);
             path.min() -= width;
             path.max() += width;
             if (path.overlaps(box))
@@ -171,12 +279,14 @@ void Foam::contactStep::findPairs()
                     const vector x(A.x[i] - B.x[j]);
                     const vector dx(span_*(A.u[i] - B.u[j]));
                     const scalar r = rA[i] + rB[j];
-                    if (leastDistance(x, dx) >= r + 2*slack_)
+                    if (leastDistance(x, dx) >= r + range_ + 2*slack_)
                     {
                         continue;
                     }
                     const scalarField& mB = types_[B.typeId].masses();
                     touch t = touch();
+                    t.touches = true;
+                    t.reaches = range_ > 0;
                     t.a = a;
                     t.i = i;
                     t.b = b;
@@ -201,10 +311,6 @@ void Foam::contactStep::findPairs()
 void Foam::contactStep::findPlanes(const label a)
 {
     const clumpParcel& p = clumps_[a];
-    if (type(a).fixed())
-    {
-        return;
-    }
     const scalarField& r = type(a).radii();
     const pointField x(p.centres());
 
@@ -212,29 +318,75 @@ void Foam::contactStep::findPlanes(const label a)
     {
         const vector path(span_*p.state().u[i]);
         const scalar reach = mag(path) + slack_;
-        for (const auto& c : walls_.surface().contacts(x[i], r[i] + reach))
+        for
+        (
+            const auto& c
+          : walls_.surface().contacts(x[i], r[i] + reach, wallsNear_[a])
+        )
         {
             // At the start, and as deep as it may become
             const scalar d = c.overlap - reach;
             if (d + slack_ + max(-(path & c.normal), 0.0) > 0)
             {
-                touch t = touch();
-                t.a = a;
-                t.i = i;
-                t.b = -1;
-                t.j = -1;
-                t.n = c.normal;
-                t.d = d;
-                t.radii = d;
-                t.first = d;
-                t.R = r[i];
-                t.m = massAt(a, i);
+                touch t(ofWall(a, i, c.normal, d));
+                t.touches = true;
                 t.share = c.share;
-                t.ratio = 1;
                 touches_.append(t);
             }
         }
     }
+}
+
+
+void Foam::contactStep::findFilms(const label a)
+{
+    if (!gaps_.active(true))
+    {
+        return;
+    }
+    const clumpParcel& p = clumps_[a];
+    const scalar reach =
+        gaps_.range(cellWidths_[a], true)
+      + span_*max(mag(p.state().u)) + slack_;
+
+    for
+    (
+        const auto& c : contactShares::ofWalls
+        (
+            walls_.surface(), wallsNear_[a], p.centres(), type(a).radii(), reach
+        )
+    )
+    {
+        touch t(ofWall(a, c.i, c.wall.normal, c.wall.overlap - reach));
+        t.reaches = true;
+        t.gapShare = c.share;
+        touches_.append(t);
+    }
+}
+
+
+Foam::contactStep::touch Foam::contactStep::ofWall
+(
+    const label a,
+    const label i,
+    const vector& n,
+    const scalar d
+) const
+{
+    touch t = touch();
+    t.a = a;
+    t.i = i;
+    t.b = -1;
+    t.j = -1;
+    t.slot = -1;
+    t.n = n;
+    t.d = d;
+    t.radii = d;
+    t.first = d;
+    t.R = type(a).radii()[i];
+    t.m = massAt(a, i);
+    t.ratio = 1;
+    return t;
 }
 
 

@@ -5,6 +5,22 @@
 
 #include "contactStep.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- What takes the place of the overlap where spheres share a gap: zero at the range of
+//  what acts across it, and falling with the gap as fast as that does
+scalar closeness(const scalar gap, const scalar range)
+{
+    const scalar x = 6*gap/range;
+    return (x < 0 ? 1 - x : Foam::exp(-x)) - Foam::exp(scalar(-6));
+}
+
+}
+
+
 void Foam::contactStep::sharePairs(UList<touch>& ofTwo) const
 {
     List<contactShares::pair> pairs(ofTwo.size());
@@ -13,20 +29,49 @@ void Foam::contactStep::sharePairs(UList<touch>& ofTwo) const
         const touch& t = ofTwo[k];
         pairs[k] = {t.a, t.i, t.b, t.j, t.n, t.d, 1, t.d};
     }
-    const clumpImage& A = ghosts_.images()[ofTwo[0].a];
-    const clumpImage& B = ghosts_.images()[ofTwo[0].b];
-    contactShares::set
-    (
-        pairs,
-        pointField(A.x + moved_[ofTwo[0].a]), types_[A.typeId].radii(),
-        pointField(B.x + moved_[ofTwo[0].slot]), types_[B.typeId].radii()
-    );
+    setShares(pairs, ofTwo[0]);
     forAll(pairs, k)
     {
         ofTwo[k].share = pairs[k].share;
         ofTwo[k].ratio =
             pairs[k].overlap > 0 ? pairs[k].depth/pairs[k].overlap : 1;
     }
+}
+
+
+void Foam::contactStep::shareGaps(UList<touch>& ofTwo) const
+{
+    List<contactShares::pair> pairs(ofTwo.size());
+    forAll(pairs, k)
+    {
+        const touch& t = ofTwo[k];
+        pairs[k] =
+        {
+            t.a, t.i, t.b, t.j, t.n, closeness(-t.d, t.range), 1, 0
+        };
+    }
+    setShares(pairs, ofTwo[0]);
+    forAll(pairs, k)
+    {
+        ofTwo[k].gapShare = pairs[k].share;
+    }
+}
+
+
+void Foam::contactStep::setShares
+(
+    UList<contactShares::pair>& pairs,
+    const touch& t
+) const
+{
+    const clumpImage& A = ghosts_.images()[t.a];
+    const clumpImage& B = ghosts_.images()[t.b];
+    contactShares::set
+    (
+        pairs,
+        pointField(A.x + moved_[t.a]), types_[A.typeId].radii(),
+        pointField(B.x + moved_[t.slot]), types_[B.typeId].radii()
+    );
 }
 
 
@@ -40,30 +85,26 @@ void Foam::contactStep::shareWalls
     const scalarField& r = type(a).radii();
     const pointField x(p.centres() + moved_[a]);
 
-    // Planes that do not act yet stay; what seemed to act by a plane continued
+    // Films and planes that do not act yet stay; what seemed to act by a plane continued
     // beyond the wall does not
     DynamicList<touch> result;
     for (const touch& t : ofClump)
     {
-        if (t.d <= 0)
+        if (t.d <= 0 || !t.touches)
         {
             result.append(t);
         }
     }
-    for (const auto& c : contactShares::ofWalls(walls_.surface(), x, r))
+    for
+    (
+        const auto& c
+      : contactShares::ofWalls(walls_.surface(), wallsNear_[a], x, r)
+    )
     {
-        touch t = touch();
-        t.a = a;
-        t.i = c.i;
-        t.b = -1;
-        t.j = -1;
-        t.slot = -1;
-        t.n = c.wall.normal;
-        t.d = c.wall.overlap;
+        touch t(ofWall(a, c.i, c.wall.normal, c.wall.overlap));
+        t.touches = true;
         t.radii = t.d + (t.n & moved_[a][c.i]);
         t.first = t.radii;
-        t.R = r[c.i];
-        t.m = massAt(a, c.i);
         t.share = c.share;
         t.ratio = c.depth/c.wall.overlap;
         result.append(t);
@@ -96,6 +137,10 @@ void Foam::contactStep::distribute(const bool all)
             else if (all || isMember_[a])
             {
                 sharePairs(ofOne);
+                if (ofOne[0].reaches)
+                {
+                    shareGaps(ofOne);
+                }
             }
             result.append(ofOne);
             k = next;

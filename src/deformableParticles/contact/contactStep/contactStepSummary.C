@@ -30,10 +30,6 @@ Foam::contactSummary Foam::contactStep::summary() const
             const vector dx(displacement(t));
             const scalar overlap =
                 t.radii - (wall ? (t.n & dx) : mag(before(t) + dx));
-            if (overlap <= 0)
-            {
-                continue;
-            }
             if (wall)
             {
                 result.deepestOfWall = max(result.deepestOfWall, overlap/r);
@@ -42,8 +38,13 @@ Foam::contactSummary Foam::contactStep::summary() const
 
             // Two members have half of the contact each
             const scalar half = isMember_[t.slot] ? 0.5 : 1;
-            result.deepest = max(result.deepest, overlap/min(r, t.radii - r));
-            result.number += half;
+            if (overlap > 0)
+            {
+                result.deepest = max(result.deepest, overlap/min(r, t.radii - r));
+                result.number += half;
+            }
+
+            // Forces across gaps are part of it
             result.virial +=
                 half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.slot))*t.n;
         }

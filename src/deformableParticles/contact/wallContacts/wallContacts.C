@@ -55,18 +55,24 @@ void Foam::wallContacts::clear()
 bool Foam::wallContacts::gapMeasured
 (
     const Cloud<clumpParcel>& clumps,
-    const scalar displacement
+    const scalar displacement,
+    const scalar range
 )
 {
+    const auto nearness = [&]()
+    {
+        return max(max(0.5*radius_, range), 2*displacement);
+    };
+
     // A step may accelerate a clump to twice its velocity
     clearance_ -= displacement;
-    nearness_ = max(0.5*radius_, 2*displacement);
+    nearness_ = nearness();
     if (clearance_ > nearness_ - 0.5*radius_)
     {
         return false;
     }
     measureGap(clumps);
-    nearness_ = max(0.5*radius_, 2*displacement);
+    nearness_ = nearness();
     clearance_ = near() ? 0 : gap_ - 0.5*radius_;
     return true;
 }

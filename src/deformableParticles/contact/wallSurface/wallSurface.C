@@ -4,123 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface.H"
+#include "faceTriangles.H"
 #include "wallPolyPatch.H"
 #include "IPstream.H"
 #include "OPstream.H"
 #include "treeBoundBox.H"
-#include "mathematicalConstants.H"
-
-namespace
-{
-
-using namespace Foam;
-
-//- Part of the force of an unbounded plane at a height h that comes from within
-//  the distance s of the centre
-scalar shareWithin(const scalar s, const scalar h, const scalar r)
-{
-    if (s >= r)
-    {
-        return 1;
-    }
-    const scalar e = (r - s)/max(r - h, VSMALL);
-    return 1 - h/s*e*Foam::sqrt(e);
-}
-
-
-//- Integral of shareWithin over the angle at the foot of the centre, along a
-//  line that passes the foot at a distance p, from its nearest point to t
-scalar angleShare
-(
-    const scalar t,
-    const scalar p,
-    const scalar h,
-    const scalar r
-)
-{
-    // Gauss points of eight in [0, 1], twice
-    static const scalar x[] =
-    {
-        0.183434642495650, 0.525532409916329, 0.796666477413627,
-        0.960289856497536
-    };
-    static const scalar w[] =
-    {
-        0.362683783378362, 0.313706645877887, 0.222381034453374,
-        0.101228536290376
-    };
-
-    const scalar length = mag(t);
-    const scalar chord2 = sqr(r) - sqr(h) - sqr(p);
-    const scalar within =
-        chord2 > 0 ? min(length, Foam::sqrt(chord2)) : scalar(0);
-
-    // Outside the sphere all lies within
-    scalar result = std::atan2(length, p);
-    if (within <= 0)
-    {
-        return t < 0 ? -result : result;
-    }
-    result -= std::atan2(within, p);
-
-    // t = p sinh(v) takes the peak at the foot out
-    const scalar half = 0.25*std::asinh(within/p);
-    for (const label part : {1, 3})
-    {
-        for (label k = 0; k < 4; ++k)
-        {
-            for (const scalar at : {part - x[k], part + x[k]})
-            {
-                const scalar c = std::cosh(half*at);
-                const scalar s = Foam::sqrt(sqr(h) + sqr(p*c));
-                result += half*w[k]*shareWithin(s, h, r)/c;
-            }
-        }
-    }
-
-    return t < 0 ? -result : result;
-}
-
-
-//- Part of the force of an unbounded plane that a triangle of it takes
-scalar shareOf
-(
-    const triPointRef& triangle,
-    const vector& normal,
-    const point& centre,
-    const scalar height,
-    const scalar r
-)
-{
-    const point corners[] = {triangle.a(), triangle.b(), triangle.c()};
-    const scalar h = max(height, 1e-9*r);
-    scalar result = 0;
-
-    for (label k = 0; k < 3; ++k)
-    {
-        const vector a(corners[k] - centre);
-        const vector b(corners[(k + 1) % 3] - centre);
-        const scalar length = mag(b - a);
-        if (length < 1e-12*r)
-        {
-            continue;
-        }
-        const vector along((b - a)/length);
-        const scalar p = (a ^ along) & normal;
-        if (mag(p) > 1e-9*r)
-        {
-            result += sign(p)
-               *(
-                    angleShare(b & along, mag(p), h, r)
-                  - angleShare(a & along, mag(p), h, r)
-                );
-        }
-    }
-
-    return max(result/constant::mathematical::twoPi, scalar(0));
-}
-
-}
+#include <map>
+#include <tuple>
 
 Foam::wallSurface::wallSurface
 (
@@ -163,13 +53,7 @@ void Foam::wallSurface::collect
 
     for (const face& f : faces)
     {
-        const point centre(f.centre(points));
-        forAll(f, k)
-        {
-            corners.append(points[f[k]]);
-            corners.append(points[f.nextLabel(k)]);
-            corners.append(centre);
-        }
+        corners.append(faceTriangles(f, points));
     }
 
     // What a clump on another processor, or behind a periodic boundary, may feel
@@ -236,7 +120,65 @@ void Foam::wallSurface::makeSearch(const UList<point>& corners)
         }
         surface_.reset(new triSurface(triangles, pointField(corners)));
         search_.reset(new triSurfaceSearch(*surface_));
+
+        out_.setSize(triangles.size());
+        boxes_.setSize(triangles.size());
+        counts_ = boolList(triangles.size(), false);
+        forAll(triangles, t)
+        {
+            const point& a = corners[3*t];
+            const point& b = corners[3*t + 1];
+            const point& c = corners[3*t + 2];
+            boxes_[t] = boundBox(min(a, min(b, c)), max(a, max(b, c)));
+
+            const vector area(triPointRef(a, b, c).areaNormal());
+            const bool flat = mag(area) < 1e-12*magSqr(boxes_[t].span());
+            out_[t] = flat ? vector::zero : vector(area/mag(area));
+        }
+        findCoplanar(corners);
     }
+}
+
+
+void Foam::wallSurface::findCoplanar(const UList<point>& corners)
+{
+    typedef std::tuple<scalar, scalar, scalar, scalar, scalar, scalar> edge;
+    const auto edgeOf = [](const point& a, const point& b)
+    {
+        return edge(a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
+    };
+    std::map<edge, label> open;
+    coplanar_ = labelList(corners.size(), -1);
+    forAll(corners, k)
+    {
+        const label t = k/3;
+        const point& a = corners[k];
+        const point& b = corners[3*t + (k + 1) % 3];
+
+        // The neighbour runs along the edge in the opposite direction
+        const auto found = open.find(edgeOf(b, a));
+        if (found == open.end())
+        {
+            open[edgeOf(a, b)] = k;
+            continue;
+        }
+        const label other = found->second;
+        if (mag(out_[t] - out_[other/3]) < 1e-6)
+        {
+            coplanar_[k] = other/3;
+            coplanar_[other] = t;
+        }
+        open.erase(found);
+    }
+}
+
+
+Foam::labelList Foam::wallSurface::near(const boundBox& box) const
+{
+    return
+        empty()
+      ? labelList()
+      : labelList(search_->tree().findBox(treeBoundBox(box)));
 }
 
 
@@ -321,120 +263,4 @@ bool Foam::wallSurface::nearest
         distance > 1e-3*small ? d*sign(height)/distance
       : inwards;
     return true;
-}
-
-
-Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
-(
-    const point& x,
-    const scalar radius
-) const
-{
-    DynamicList<contact> result;
-
-    if (empty())
-    {
-        return result;
-    }
-
-    struct facet
-    {
-        label triangle;
-        vector out;         // unit, out of the fluid
-        scalar height;      // of the centre over its plane, into the fluid
-    };
-    DynamicList<facet> facets;
-
-    // Is the centre behind the wall? If several triangles share the nearest
-    // point (on an edge or a corner), the one whose plane is farthest from the
-    // centre decides
-    scalar nearest = radius;
-    scalar side = 0;
-
-    const auto triangleOf = [&](const label t)
-    {
-        const labelledTri& corner = (*surface_)[t];
-        const pointField& points = surface_->points();
-        return triPointRef
-        (
-            points[corner[0]], points[corner[1]], points[corner[2]]
-        );
-    };
-
-    const labelList near
-    (
-        search_->tree().findBox
-        (
-            treeBoundBox(x - radius*vector::one, x + radius*vector::one)
-        )
-    );
-    for (const label t : near)
-    {
-        const triPointRef triangle(triangleOf(t));
-        const vector area(triangle.areaNormal());
-        if (mag(area) < 1e-12*sqr(radius))
-        {
-            continue;
-        }
-        const vector out(area/mag(area));
-        const scalar height = (triangle.a() - x) & out;
-        const scalar gap = triangle.nearestPoint(x).distance();
-        if (gap >= radius)
-        {
-            continue;
-        }
-        facets.append({t, out, height});
-
-        if (gap < nearest - 1e-9*radius)
-        {
-            nearest = gap;
-            side = height;
-        }
-        else if
-        (
-            gap < nearest + 1e-9*radius
-         && mag(height) > mag(side)*(1 - sign(height)*1e-9)
-        )
-        {
-            side = height;
-        }
-    }
-    const bool behind = side < -1e-9*radius;
-
-    for (const facet& f : facets)
-    {
-        if (behind ? f.height > 0 : f.height < 0)
-        {
-            continue;
-        }
-        const scalar share =
-            shareOf(triangleOf(f.triangle), f.out, x, mag(f.height), radius);
-        if (share < 1e-9)
-        {
-            continue;
-        }
-
-        // The pieces of one plane are one contact
-        const contact c{-f.out, radius - f.height, share};
-        bool known = false;
-        for (contact& other : result)
-        {
-            if
-            (
-                mag(other.normal - c.normal) < 1e-6
-             && mag(other.overlap - c.overlap) < 1e-6*radius
-            )
-            {
-                other.share += share;
-                known = true;
-                break;
-            }
-        }
-        if (!known)
-        {
-            result.append(c);
-        }
-    }
-
-    return result;
 }

@@ -185,7 +185,9 @@ void Foam::immersedBoundary::fade(const volScalarField& nu)
             const scalar S =
                 strength_[celli]*cell.share/max(sumShare_[celli], VSMALL);
             const scalar porous = phi*kappa*nu[celli];
-            cell.share = S*porous/(porous + (1 - phi)*S);
+            cell.share =
+                S*porous/(porous + (1 - phi)*S)
+               *(cell.lambda + (1 - cell.lambda)*pow4(phi));
         }
     }
     for (const coveredCells& c : covered_)

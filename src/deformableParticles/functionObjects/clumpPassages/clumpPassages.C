@@ -24,10 +24,10 @@ using namespace Foam;
 
 functionObjects::tableHeader header()
 {
-    functionObjects::tableHeader result("Clumps that have entered and left");
-    result.add("time", "s").add("event").add("number").add("type").add("patch");
-    result.addVector("centre", "m").addVector("velocity", "m/s").add("inside");
-    return result;
+    return
+        functionObjects::tableHeader("Clumps that have entered and left")
+       .add("time", "s").add("clump").add("type").add("event").add("patch")
+       .addVector("", "m").addVector("U", "m/s").add("inside");
 }
 
 }
@@ -68,8 +68,9 @@ bool Foam::functionObjects::clumpPassages::execute()
     for (const clumpPassage& p : count.passages())
     {
         os  << time_.timeOutputValue() << '\t'
-            << (p.entered ? "entered" : "left") << '\t' << p.id << '\t'
-            << cloud.types()[p.typeId].name() << '\t' << count.patchName(p);
+            << p.id << '\t' << cloud.types()[p.typeId].name() << '\t'
+            << (p.entered ? "entered" : "left") << '\t'
+            << count.patchName(p);
         for (const vector& v : {p.centre, p.velocity})
         {
             os  << '\t' << v.x() << '\t' << v.y() << '\t' << v.z();

@@ -137,9 +137,22 @@ Foam::functionObjects::vtkClumps::vtkClumps
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict)
+    fvMeshFunctionObject(name, runTime, dict),
+    loaded_(false)
 {
     read(dict);
+}
+
+
+void Foam::functionObjects::vtkClumps::load(const fileName& dir)
+{
+    if (!loaded_)
+    {
+        const scalar end = time_.startTime().value() + 0.5*time_.deltaTValue();
+        spheres_.load(dir/"spheres.vtp", true, end);
+        bonds_.load(dir/"bonds.vtp", true, end);
+        loaded_ = true;
+    }
 }
 
 
@@ -205,6 +218,7 @@ bool Foam::functionObjects::vtkClumps::write()
 
     const fileName dir(time_.globalPath()/"VTK"/cloudName_);
     mkDir(dir);
+    load(dir);
     const word step("_" + Foam::name(time_.timeIndex()) + ".vtp");
 
     {

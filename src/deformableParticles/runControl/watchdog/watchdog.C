@@ -247,9 +247,15 @@ void Foam::watchdog::check()
     halve(cloud_.needsShorterStep());
 
     OStringStream said;
+    label index = 0;
     for (const clumpParcel& p : cloud_)
     {
         const clumpType& type = cloud_.type(p);
+        if (cloud_.passing().size() && cloud_.passing()[index++])
+        {
+            said<< "    clump " << p.origId() << " at " << p.centre(type)
+                << ": passes through another clump in one step" << nl;
+        }
         const clumpState& s = p.state();
         const scalar displacement =
             runTime_.deltaTValue()*max(mag(s.u)/type.radii());

@@ -31,12 +31,57 @@ Foam::label Foam::placement::typeId
     const word& name
 ) const
 {
-    if (!typeIds_.found(name))
+    return typeId(dict, name, typeIds_);
+}
+
+
+Foam::label Foam::placement::typeId
+(
+    const dictionary& dict,
+    const word& name,
+    const HashTable<label>& typeIds
+)
+{
+    if (!typeIds.found(name))
     {
-        FatalIOErrorInLookup(dict, "clump type", name, typeIds_)
+        FatalIOErrorInLookup(dict, "clump type", name, typeIds)
             << exit(FatalIOError);
     }
-    return typeIds_[name];
+    return typeIds[name];
+}
+
+
+Foam::scalarList Foam::placement::shares
+(
+    const dictionary& dict,
+    const label nTypes,
+    const HashTable<label>& typeIds
+)
+{
+    scalarList result(nTypes, Zero);
+    if (dict.found("clumpType") == dict.found("fractions"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give exactly one of the entries clumpType and fractions."
+            << exit(FatalIOError);
+    }
+    if (dict.found("clumpType"))
+    {
+        result[typeId(dict, dict.get<word>("clumpType"), typeIds)] = 1;
+        return result;
+    }
+    const dictionary& given = getDict(dict, "fractions");
+    for (const word& name : given.toc())
+    {
+        result[typeId(given, name, typeIds)] = getBetween(given, name, 0, 1);
+    }
+    if (mag(sum(result) - 1) > 1e-6)
+    {
+        FatalIOErrorInFunction(given)
+            << "The fractions add up to " << sum(result) << "; they must add up"
+            << " to 1." << exit(FatalIOError);
+    }
+    return result;
 }
 
 

@@ -5,9 +5,9 @@
 
 #include "random.H"
 #include "clumpPacking.H"
-#include "foamCompat.H"
 #include "givenRotation.H"
 #include "treeDataCell.H"
+#include "uniformRotation.H"
 #include <cmath>
 
 namespace Foam
@@ -41,18 +41,6 @@ void wantOne(const dictionary& dict, const wordList& entries)
     }
 }
 
-//- Uniform over all rotations: a normalised Gaussian quaternion
-quaternion randomTurn(Random& random)
-{
-    const scalar w = random.GaussNormal<scalar>();
-    const scalar x = random.GaussNormal<scalar>();
-    const scalar y = random.GaussNormal<scalar>();
-    const scalar z = random.GaussNormal<scalar>();
-    quaternion q(w, vector(x, y, z));
-    normalise(q);
-    return q;
-}
-
 }
 
 
@@ -81,29 +69,17 @@ Foam::clumpPlacements::random::random
 
 Foam::scalarList Foam::clumpPlacements::random::readShares() const
 {
-    scalarList shares(types_.size(), Zero);
-    if (dict_.found("clumpType"))
+    if (!dict_.found("numbers"))
     {
-        shares[typeId(dict_, dict_.get<word>("clumpType"))] = 1;
-        return shares;
+        return shares(dict_, types_.size(), typeIds_);
     }
-    const bool counts = dict_.found("numbers");
-    const dictionary& given =
-        getDict(dict_, counts ? "numbers" : "fractions");
+    scalarList result(types_.size(), Zero);
+    const dictionary& given = getDict(dict_, "numbers");
     for (const word& name : given.toc())
     {
-        shares[typeId(given, name)] =
-            counts
-          ? scalar(getNumber(given, name, 1, 10000000))
-          : getBetween(given, name, 0, 1);
+        result[typeId(given, name)] = getNumber(given, name, 1, 10000000);
     }
-    if (!counts && mag(sum(shares) - 1) > 1e-6)
-    {
-        FatalIOErrorInFunction(given)
-            << "The fractions add up to " << sum(shares) << "; they must add up"
-            << " to 1." << exit(FatalIOError);
-    }
-    return shares;
+    return result;
 }
 
 
@@ -170,7 +146,7 @@ void Foam::clumpPlacements::random::scatter
             }
             const point position(region.randomPoint(celli, own));
             clumpState state(types_[typei]);
-            state.q[0] = turned ? turn : randomTurn(own);
+            state.q[0] = turned ? turn : uniformRotation(own);
 
             auto* p = new clumpParcel
             (

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hertz.H"
+#include "mathematicalConstants.H"
 
 namespace Foam
 {
@@ -12,6 +13,32 @@ namespace contactModels
     defineTypeNameAndDebug(hertz, 0);
     addToRunTimeSelectionTable(contactModel, hertz, dictionary);
 }
+}
+
+
+Foam::scalar Foam::contactModels::hertz::readModulus(const dictionary& dict)
+{
+    const bool byOverlap = dict.found("allowedOverlap");
+    if (byOverlap && dict.found("reducedModulus"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries 'reducedModulus' and 'allowedOverlap' both give the"
+            << " stiffness. Valid: one of them" << exit(FatalIOError);
+    }
+    if (!byOverlap)
+    {
+        if (dict.found("stress"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'stress' needs the entry 'allowedOverlap', the overlap"
+                << " under this stress." << exit(FatalIOError);
+        }
+        return getPositive(dict, "reducedModulus");
+    }
+    const scalar overlap = getBetween(dict, "allowedOverlap", 1e-4, 0.5);
+    return
+        3*constant::mathematical::pi*getPositive(dict, "stress")
+       /Foam::pow(2*overlap, 1.5);
 }
 
 
@@ -40,10 +67,14 @@ Foam::scalar Foam::contactModels::hertz::restitution(const scalar b)
 
 Foam::contactModels::hertz::hertz(const dictionary& dict)
 :
-    modulus_(getPositive(dict, "reducedModulus")),
+    modulus_(readModulus(dict)),
     damping_(0)
 {
-    checkEntries(dict, {"type", "reducedModulus", "restitution"});
+    checkEntries
+    (
+        dict,
+        {"type", "reducedModulus", "allowedOverlap", "stress", "restitution"}
+    );
 
     const scalar e = getBetween(dict, "restitution", 0.01, 1);
 

@@ -1,0 +1,406 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "openBox.H"
+#include "injection.H"
+#include "patchLines.H"
+#include "mathematicalConstants.H"
+
+using namespace Foam;
+
+namespace
+{
+
+//- A box with open patches, an empty cloud and an injection
+struct device
+{
+    autoPtr<polyMesh> mesh;
+    PtrList<clumpType> types;
+    HashTable<label> typeIds;
+    autoPtr<ghostExchange> ghosts;
+    autoPtr<Cloud<clumpParcel>> clumps;
+    autoPtr<injection> source;
+
+    explicit device
+    (
+        const string& text,
+        const std::function<point(const point&)>& moved =
+            [](const point& p) { return p; }
+    )
+    :
+        mesh(openBox(moved)),
+        types(2)
+    {
+        types.set(0, new clumpType("healthy", cellDict()));
+        dictionary ball(cellDict());
+        ball.set
+        (
+            "shape", dictOf("type chain; nSpheres 1; spacing 1e-6; sphereRadius 1e-6;")
+        );
+        types.set(1, new clumpType("ball", ball));
+        typeIds.insert("healthy", 0);
+        typeIds.insert("ball", 1);
+        ghosts.reset(new ghostExchange(*mesh));
+        clumps.reset
+        (
+            new Cloud<clumpParcel>(*mesh, "device", IDLList<clumpParcel>())
+        );
+        source = newSource(text);
+    }
+
+    autoPtr<injection> newSource(const string& text) const
+    {
+        dictionary dict(dictOf(text));
+        dict.name() = "test:source";
+        return selectModel<injection>
+        (
+            dict, injection::site{*mesh, *ghosts, types, typeIds, false}
+        );
+    }
+
+    //- Put a clump where its centre is
+    void add(const label typeId, const point& position, const label number)
+    {
+        const label celli = mesh->findCell(position);
+        if (celli >= 0 && Pstream::master())
+        {
+            clumpState state(types[typeId]);
+            state.setRigidMotion(types[typeId], vector(0.1, 0, 0), Zero);
+            clumps->addParticle
+            (
+                new clumpParcel(*mesh, position, celli, typeId, state)
+            );
+            clumps->last()->origProc() = 0;
+            clumps->last()->origId() = number;
+        }
+    }
+
+    //- Inject what is due in a step; returns the number
+    label step()
+    {
+        const label before = source->nInjected();
+        source->inject
+        (
+            *clumps,
+            [&](const clumpCandidate& c, const label owner)
+            {
+                if (owner == Pstream::myProcNo())
+                {
+                    auto* p = new clumpParcel
+                    (
+                        *mesh, c.position, mesh->findCell(c.position),
+                        c.typeId, c.state
+                    );
+                    p->origProc() = 0;
+                    p->origId() = source->nInjected();
+                    clumps->addParticle(p);
+                }
+                return source->nInjected();
+            }
+        );
+        return source->nInjected() - before;
+    }
+
+    label size() const
+    {
+        return returnReduce(clumps->size(), sumOp<label>());
+    }
+
+    //- Least distance of surfaces over all pairs of clumps [m]
+    scalar leastGap() const
+    {
+        scalar gap = GREAT;
+        for (const clumpParcel& a : *clumps)
+        {
+            for (const clumpParcel& b : *clumps)
+            {
+                if (a.origId() < b.origId())
+                {
+                    for (const point& x : a.centres())
+                    {
+                        gap = min(gap, gapTo(x, types[a.typeId()].radii()[0], b));
+                    }
+                }
+            }
+        }
+        return returnReduce(gap, minOp<scalar>());
+    }
+
+    scalar gapTo(const point& x, const scalar r, const clumpParcel& b) const
+    {
+        return
+            min(mag(b.centres() - x) - types[b.typeId()].radii()) - r;
+    }
+};
+
+string rateOf(const scalar perStep, const string& others)
+{
+    return
+        "type rate; patches (inlet); seed 3; velocity (1e-3 0 0); rate "
+      + Foam::name(perStep/testTime().deltaTValue()) + "; " + others;
+}
+
+}
+
+
+TEST_CASE("injection: random lines hit a patch uniformly", "[injection]")
+{
+    const autoPtr<polyMesh> mesh(openBox());
+    const patchLines lines
+    (
+        *mesh, labelHashSet({mesh->boundaryMesh().findPatchID("inlet")})
+    );
+    const label n = 20000;
+    Random random(5);
+
+    // Cauchy and Crofton: area over twice that of the disc of the sphere around it
+    label nHits = 0;
+    vector mean(Zero);
+    for
+    (
+        const patchLines::hit& h
+      : lines.shoot(n, random, [](const label) { return 1; })
+    )
+    {
+        if (h.place < GREAT)
+        {
+            ++nHits;
+            mean += h.x;
+            CHECK(mag(h.inwards - vector(1, 0, 0)) < 1e-9);
+        }
+    }
+    const scalar expected = 400.0/(constant::mathematical::twoPi*200);
+    CHECK(scalar(nHits)/n == Approx(expected).epsilon(0.04));
+    CHECK(mag(mean/nHits - point(0, 10e-6, 10e-6)) < 0.2e-6);
+
+    // In proportion to the chance, which grows with y: the mean is at two thirds
+    nHits = 0;
+    mean = Zero;
+    const auto chance = [&](const label facei)
+    {
+        return mesh->faceCentres()[facei].y()/20e-6;
+    };
+    for (const patchLines::hit& h : lines.shoot(n, random, chance))
+    {
+        if (h.place < GREAT)
+        {
+            ++nHits;
+            mean += h.x;
+        }
+    }
+    CHECK(scalar(nHits)/n == Approx(0.5*expected).epsilon(0.06));
+    CHECK(mean.y()/nHits == Approx(20e-6*2/3).epsilon(0.02));
+}
+
+
+TEST_CASE("injection: clumps touch the inlet and nothing else", "[injection]")
+{
+    device d(rateOf(2, "fractions { healthy 0.5; ball 0.5; }"));
+    for (label k = 0; k < 30; ++k)
+    {
+        d.step();
+    }
+
+    // Not all 60 fit; the others wait
+    const label n = d.source->nInjected();
+    CHECK(n > 5);
+    CHECK(n < 60);
+    CHECK(d.source->nWaiting() == 60 - n);
+    CHECK(d.size() == n);
+    CHECK(d.leastGap() >= 0);
+
+    label nBalls = 0;
+    for (const clumpParcel& p : *d.clumps)
+    {
+        const scalarField& r = d.types[p.typeId()].radii();
+        const pointField x(p.centres());
+        nBalls += p.typeId();
+        CHECK(mag(min(x.component(0) - r)) < 1e-6*r[0]);
+        CHECK(max(x.component(0) + r) < 20e-6);
+        for (const direction cmpt : {1, 2})
+        {
+            CHECK(min(x.component(cmpt) - r) > -1e-6*r[0]);
+            CHECK(max(x.component(cmpt) + r) < 20e-6 + 1e-6*r[0]);
+        }
+        CHECK(mag(p.state().u[0] - vector(1e-3, 0, 0)) < 1e-15);
+    }
+    nBalls = returnReduce(nBalls, sumOp<label>());
+    CHECK(nBalls > 0);
+    CHECK(nBalls < n);
+}
+
+
+TEST_CASE("injection: clumps touch a curved inlet", "[injection]")
+{
+    // Bulged outwards like a dome, 4 um high
+    const auto dome = [](const point& p)
+    {
+        const scalar y = p.y()/10e-6 - 1;
+        const scalar z = p.z()/10e-6 - 1;
+        const scalar bulge = 4e-6*(1 - 0.5*(sqr(y) + sqr(z)));
+        return point(p.x() - bulge*(1 - p.x()/20e-6), p.y(), p.z());
+    };
+    device d(rateOf(1, "clumpType healthy; nTries 200;"), dome);
+    for (label k = 0; k < 10 && d.size() < 2; ++k)
+    {
+        d.step();
+    }
+    REQUIRE(d.size() >= 1);
+
+    const polyPatch& inlet = d.mesh->boundaryMesh()["inlet"];
+    for (const clumpParcel& p : *d.clumps)
+    {
+        const scalarField& r = d.types[p.typeId()].radii();
+        const pointField x(p.centres());
+        scalar gap = GREAT;
+        for (const face& f : inlet)
+        {
+            forAll(x, i)
+            {
+                gap = min
+                (
+                    gap,
+                    f.nearestPoint(x[i], d.mesh->points()).distance() - r[i]
+                );
+            }
+        }
+        CHECK(mag(gap) < 1e-3*r[0]);
+    }
+}
+
+
+TEST_CASE("injection: a restart goes on as the whole run", "[injection]")
+{
+    const string text(rateOf(0.7, "fractions { healthy 0.4; ball 0.6; }"));
+    device whole(text), parts(text);
+    for (label k = 0; k < 12; ++k)
+    {
+        whole.step();
+        parts.step();
+
+        dictionary state;
+        parts.source->writeState(state);
+        parts.source = parts.newSource(text);
+        parts.source->readState(state);
+    }
+    REQUIRE(whole.size() > 3);
+    REQUIRE(whole.size() == parts.size());
+    auto other = parts.clumps->cbegin();
+    for (const clumpParcel& p : *whole.clumps)
+    {
+        const clumpParcel& q = *other;
+        CHECK(p.typeId() == q.typeId());
+        CHECK(p.position() == q.position());
+        CHECK(p.state().x == q.state().x);
+        ++other;
+    }
+
+    // Other seeds give other clumps
+    device third(rateOf(0.7, "clumpType ball;").replace("seed 3", "seed 4"));
+    device fourth(rateOf(0.7, "clumpType ball;"));
+    for (label k = 0; k < 2; ++k)
+    {
+        third.step();
+        fourth.step();
+    }
+    REQUIRE(third.size() == 1);
+    REQUIRE(fourth.size() == 1);
+    if (third.clumps->size())
+    {
+        CHECK
+        (
+            third.clumps->first()->position() != fourth.clumps->first()->position()
+        );
+    }
+}
+
+
+TEST_CASE("injection: a clump of a list waits for its place", "[injection]")
+{
+    const string ball("{ type ball; velocity (0 0 0); time ");
+    device d
+    (
+        "type timedList; clumps ("
+      + ball + "0; position (5e-6 5e-6 5e-6); }"
+      + ball + "0; position (6e-6 5e-6 5e-6); }"
+      + ball + "1e3; position (9e-6 5e-6 5e-6); } );"
+    );
+    CHECK(d.step() == 1);
+    CHECK(d.step() == 0);
+    CHECK(d.source->nWaiting() == 1);
+
+    d.clumps->clear();
+    CHECK(d.step() == 1);
+    CHECK(d.source->nWaiting() == 0);
+    CHECK(d.step() == 0);
+
+    // Outside the mesh, and of a type that is not there
+    CHECK_THROWS
+    (
+        device("type timedList; clumps (" + ball + "0; position (5 0 0); });")
+    );
+    CHECK_THROWS(device(rateOf(1, "clumpType bull;")));
+    CHECK_THROWS(device(rateOf(1, "clumpType ball;").replace("velocity", "speed")));
+    CHECK_THROWS(device(rateOf(1, "clumpType ball;").replace("inlet", "walls")));
+}
+
+
+TEST_CASE("injection: a stretch repeats itself", "[injection]")
+{
+    const string text("type preInlet; patches (inlet); length 8e-6;");
+    device d(text);
+    CHECK_THROWS(d.source->begin(*d.clumps));
+
+    // A ball of 1 um in the stretch, and one that lies across its end
+    d.add(1, point(3e-6, 10e-6, 10e-6), 5);
+    d.add(1, point(8e-6, 5e-6, 10e-6), 6);
+    d.source->begin(*d.clumps);
+    CHECK(d.step() == 0);
+
+    // Across the end, and behind it
+    d.clumps->clear();
+    d.add(1, point(8.9e-6, 9e-6, 11e-6), 5);
+    CHECK(d.step() == 0);
+    d.clumps->clear();
+    d.add(1, point(9.1e-6, 9e-6, 11e-6), 5);
+    d.add(1, point(12e-6, 5e-6, 10e-6), 6);
+    CHECK(d.step() == 1);
+    REQUIRE(d.size() == 3);
+    if (d.clumps->size())
+    {
+        CHECK
+        (
+            mag(d.clumps->last()->position() - point(1.1e-6, 9e-6, 11e-6)) < 1e-15
+        );
+    }
+    const label copy = d.source->nInjected();
+
+    // The original only once; now the copy belongs to the stretch, also after a
+    // restart
+    CHECK(d.step() == 0);
+    dictionary state;
+    d.source->writeState(state);
+    d.source = d.newSource(text);
+    d.source->readState(state);
+    d.clumps->clear();
+    d.add(1, point(10e-6, 5e-6, 5e-6), copy);
+    d.add(1, point(2.5e-6, 5e-6, 5e-6), 99);
+    CHECK(d.step() == 0);
+    CHECK(d.source->nWaiting() == 1);
+    d.clumps->clear();
+    d.add(1, point(11e-6, 5e-6, 5e-6), copy);
+    CHECK(d.step() == 1);
+    CHECK(d.source->nWaiting() == 0);
+
+    // It waited: it touches the inlet
+    if (d.clumps->size())
+    {
+        CHECK
+        (
+            mag(d.clumps->last()->position() - point(1e-6, 5e-6, 5e-6)) < 1e-15
+        );
+    }
+}

@@ -1,0 +1,204 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCase.H"
+#include "gapForces.H"
+#include "mathematicalConstants.H"
+
+using namespace Foam;
+
+namespace
+{
+
+const gapModel::medium plasma{1.2e-3, 0.5e-6};
+const scalar R = 0.7e-6;
+const scalar unit = 6*constant::mathematical::pi*1.2e-3*sqr(R);
+
+autoPtr<gapModel> film(const string& more = "")
+{
+    return selectModel<gapModel>
+    (
+        dictOf("type squeezeFilm; cutOff 1.2; roughness 1e-8;" + more)
+    );
+}
+
+autoPtr<gapModel> attraction()
+{
+    return selectModel<gapModel>
+    (
+        dictOf("type morse; surfaceEnergy 1e-6; length 1e-7; restingGap 2e-8;")
+    );
+}
+
+}
+
+
+TEST_CASE("gap models: a step has a potential", "[gap][serial]")
+{
+    // Force and stiffness are its derivatives; the attraction has no negative stiffness
+    const bool films = GENERATE(true, false);
+    const auto model(films ? film() : attraction());
+    const scalar h = 1e-13;
+
+    for (const scalar start : {-2e-8, 3e-9, 2e-8, 1.5e-7, 5e-7, 9e-7})
+    {
+        for (scalar gap = -4.03e-8; gap < 9e-7; gap += 0.77e-8)
+        {
+            const auto w = model->step(gap, start, 1e-4, R, plasma);
+            const auto more = model->step(gap + h, start, 1e-4, R, plasma);
+            const auto less = model->step(gap - h, start, 1e-4, R, plasma);
+            INFO(films << ' ' << start << ' ' << gap);
+            const scalar size = films ? unit/1e-4 : 2e-5;
+            CHECK
+            (
+                -w.force
+             == Approx((more.energy - less.energy)/(2*h))
+                .epsilon(1e-4).margin(1e-7*size)
+            );
+            CHECK
+            (
+                w.stiffness
+             == Approx(max((less.force - more.force)/(2*h), scalar(0)))
+                .epsilon(1e-3).margin(1e-6*size)
+            );
+        }
+    }
+}
+
+
+TEST_CASE("squeeze film: resistance of lubrication theory", "[gap][serial]")
+{
+    const auto model(film());
+    const scalar dt = 1e-6, limit = 1.2*plasma.cellWidth;
+    CHECK(model->range(plasma.cellWidth) == Approx(limit));
+
+    // 1/g less the value at the cut-off, no more below the roughness
+    const auto c = [&](const scalar g)
+    {
+        return model->step(g, g, dt, R, plasma).stiffness*dt;
+    };
+    CHECK(c(2e-8) == Approx(unit*(1/2e-8 - 1/limit)));
+    CHECK(c(0.5*limit) == Approx(unit/limit));
+    CHECK(c(1e-9) == Approx(unit*(1e8 - 1/limit)));
+    CHECK(c(-1e-7) == c(1e-9));
+    CHECK(c(1.01*limit) == 0);
+
+    // Two spheres against a sphere and a wall
+    const scalar r = 2*R;
+    CHECK
+    (
+        model->step(1e-7, 1.01e-7, dt, r, plasma).force
+     == Approx(4*model->step(1e-7, 1.01e-7, dt, R, plasma).force)
+    );
+
+    // Equal to Simeonov and Calantoni's form for unequal spheres
+    const scalar R1 = 1e-6, k = 3, g = 3e-8, speed = 1e-4, small = 1e-10;
+    const scalar e = g/R1, ec = limit/R1;
+    CHECK
+    (
+        model->step
+        (
+            g - speed*small, g, small,
+            contactModel::reduced(R1, k*R1), plasma
+        ).force
+     == Approx
+        (
+            6*constant::mathematical::pi*plasma.viscosity*R1
+           *sqr(k/(1 + k))*(1/e - 1/ec)*speed
+        ).epsilon(1e-5)
+    );
+}
+
+
+TEST_CASE("squeeze film: dissipates, and knows no length of a step", "[gap][serial]")
+{
+    const auto model(film());
+    const scalar gaps[] = {-3e-8, 5e-9, 1.5e-8, 1e-7, 5e-7, 8e-7};
+    for (const scalar from : gaps)
+    {
+        for (const scalar to : gaps)
+        {
+            const auto w = model->step(to, from, 1e-3, R, plasma);
+            INFO(from << ' ' << to);
+            CHECK(w.energy >= 0);
+            CHECK(w.stiffness >= 0);
+            CHECK(w.force*(to - from) <= 0);
+
+            // The impulse of a way is that of its parts, forth and back none
+            for (const scalar middle : gaps)
+            {
+                const scalar parts =
+                    2e-3*model->step(middle, from, 2e-3, R, plasma).force
+                  + 5e-4*model->step(to, middle, 5e-4, R, plasma).force;
+                CHECK
+                (
+                    1e-3*w.force == Approx(parts).margin(1e-12*unit)
+                );
+            }
+        }
+    }
+}
+
+
+TEST_CASE("morse: strength", "[gap][serial]")
+{
+    const auto model(attraction());
+    const scalar Fm = 2*constant::mathematical::pi*R*1e-6;
+    scalar most = 0, where = 0;
+    for (scalar gap = -1e-7; gap < 9e-7; gap += 1e-10)
+    {
+        const scalar f = model->step(gap, 0, 1, R, plasma).force;
+        CHECK(f <= 0);
+        if (-f > most)
+        {
+            most = -f;
+            where = gap;
+        }
+    }
+    CHECK(most == Approx(Fm).epsilon(1e-5));
+    CHECK(where == Approx(2e-8 + 1e-7*Foam::log(2.0)).epsilon(0.01));
+
+    // Depth of the well, and nothing beyond the range
+    CHECK(model->step(0, 0, 1, R, plasma).energy == Approx(-1.95*Fm*1e-7).epsilon(1e-3));
+    CHECK(model->step(model->range(1), 0, 1, R, plasma).energy == 0);
+    CHECK(model->step(2e-8, 0, 1, R, plasma).force == 0);
+}
+
+
+TEST_CASE("gap forces: only what is on acts", "[gap][serial]")
+{
+    gapForces forces
+    (
+        dictOf
+        (
+            "lubrication { type squeezeFilm; roughness 1e-8; }"
+            "aggregation { type morse; surfaceEnergy 1e-6; length 1e-7; }"
+        )
+    );
+    forces.setViscosity(1e-3);
+    const auto force = [&](const bool atWall)
+    {
+        return forces.step(1e-7, 2e-7, 1e-4, R, 0.5e-6, atWall).force;
+    };
+    CHECK(!forces.active(false));
+    CHECK(force(false) == 0);
+
+    forces.setActive("aggregation", true);
+    CHECK(forces.active(false));
+    CHECK(!forces.active(true));
+    CHECK(forces.range(0.5e-6, false) == Approx(6e-7));
+    CHECK(forces.range(0.5e-6, true) == 0);
+    const scalar attracts = force(false);
+    CHECK(attracts < 0);
+    CHECK(force(true) == 0);
+
+    forces.setActive("lubrication", true);
+    const scalar film = force(true);
+    CHECK(film > 0);
+    CHECK(force(false) == Approx(attracts + film));
+
+    CHECK(!gapForces(dictionary()).model("lubrication"));
+}

@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpInjector.H"
+#include "treeDataCell.H"
+#include "volFields.H"
+
+Foam::clumpInjector::clumpInjector
+(
+    const word& cloudName,
+    const dictionary& clumpProperties,
+    const injection::site& site
+)
+:
+    mesh_(site.mesh),
+    types_(site.types),
+    state_
+    (
+        IOobject
+        (
+            cloudName + "Injection", mesh_.time().timeName(), "uniform",
+            mesh_.time(), IOobject::READ_IF_PRESENT, IOobject::NO_WRITE
+        )
+    ),
+    nextNumber_(state_.getOrDefault<label>("nextNumber", 0))
+{
+    if (!clumpProperties.found("injection"))
+    {
+        return;
+    }
+    const dictionary& all = getDict(clumpProperties, "injection");
+    for (const word& name : all.toc())
+    {
+        injections_.append(selectModel<injection>(getDict(all, name), site));
+    }
+    waited_.setSize(injections_.size(), 0);
+    state_.writeOpt() = IOobject::AUTO_WRITE;
+}
+
+
+void Foam::clumpInjector::begin(const Cloud<clumpParcel>& clumps)
+{
+    if (empty())
+    {
+        return;
+    }
+    label largest = -1;
+    for (const clumpParcel& p : clumps)
+    {
+        largest = max(largest, p.origId());
+    }
+    nextNumber_ = max(nextNumber_, returnReduce(largest, maxOp<label>()) + 1);
+
+    for (injection& i : injections_)
+    {
+        if (state_.found(i.name()))
+        {
+            i.readState(state_.subDict(i.name()));
+        }
+        else
+        {
+            i.begin(clumps);
+        }
+    }
+    writeState();
+}
+
+
+void Foam::clumpInjector::writeState()
+{
+    state_.set("nextNumber", nextNumber_);
+    for (const injection& i : injections_)
+    {
+        dictionary state;
+        i.writeState(state);
+        state_.set(i.name(), state);
+    }
+}
+
+
+Foam::label Foam::clumpInjector::add
+(
+    Cloud<clumpParcel>& clumps,
+    const clumpCandidate& c,
+    const label owner,
+    clumpCount& count
+)
+{
+    if (owner == Pstream::myProcNo())
+    {
+        clumpState state(c.state);
+        const label celli = mesh_.findCell(c.position);
+        if (c.followsFlow)
+        {
+            const auto* U = mesh_.findObject<volVectorField>("U");
+            state.setRigidMotion
+            (
+                types_[c.typeId], U ? (*U)[celli] : vector::zero, Zero
+            );
+        }
+        auto* p = new clumpParcel(mesh_, c.position, celli, c.typeId, state);
+        p->origProc() = 0;
+        p->origId() = nextNumber_;
+        p->couplingFactor() = c.couplingFactor;
+        clumps.addParticle(p);
+        count.enter(*p, c.patchi);
+    }
+    return nextNumber_++;
+}
+
+
+Foam::label Foam::clumpInjector::inject
+(
+    Cloud<clumpParcel>& clumps,
+    clumpCount& count
+)
+{
+    if (empty())
+    {
+        return 0;
+    }
+    const label before = nInjected();
+    forAll(injections_, i)
+    {
+        injection& by = injections_[i];
+        by.inject
+        (
+            clumps,
+            [&](const clumpCandidate& c, const label owner)
+            {
+                return add(clumps, c, owner, count);
+            }
+        );
+        if (by.nWaiting() != waited_[i])
+        {
+            Info<< "Injection " << by.name() << ": " << by.nWaiting()
+                << " clumps wait for a free place" << endl;
+            waited_[i] = by.nWaiting();
+        }
+    }
+    writeState();
+    return nInjected() - before;
+}
+
+
+void Foam::clumpInjector::meshChanged()
+{
+    for (injection& i : injections_)
+    {
+        i.meshChanged();
+    }
+}
+
+
+Foam::label Foam::clumpInjector::nInjected() const
+{
+    label n = 0;
+    for (const injection& i : injections_)
+    {
+        n += i.nInjected();
+    }
+    return n;
+}
+
+
+Foam::label Foam::clumpInjector::nWaiting() const
+{
+    label n = 0;
+    for (const injection& i : injections_)
+    {
+        n += i.nWaiting();
+    }
+    return n;
+}

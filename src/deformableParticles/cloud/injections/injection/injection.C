@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "injection.H"
+#include "DynamicList.H"
+#include "FlatOutput.H"
+#include "wallPolyPatch.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(injection, 0);
+    defineRunTimeSelectionTable(injection, dictionary);
+}
+
+
+Foam::injection::injection(const dictionary& dict, const site& s)
+:
+    nInjected_(0),
+    start_(getFiniteOrDefault<scalar>(dict, "start", -GREAT)),
+    end_(getFiniteOrDefault<scalar>(dict, "end", GREAT)),
+    velocity_(getFiniteOrDefault<vector>(dict, "velocity", Zero)),
+    dict_(dict),
+    site_(s)
+{
+    if (end_ < start_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'end' is " << end_ << "; it must not be before start, "
+            << start_ << '.' << exit(FatalIOError);
+    }
+}
+
+
+Foam::wordList Foam::injection::entries(const wordList& others)
+{
+    wordList all({"type", "start", "end", "velocity", "minGap"});
+    all.append(others);
+    return all;
+}
+
+
+Foam::scalar Foam::injection::activeTime() const
+{
+    const scalar t = site_.mesh.time().value();
+    const scalar before = t - site_.mesh.time().deltaTValue();
+    return max(min(t, end_) - max(before, start_), scalar(0));
+}
+
+
+Foam::clumpCandidate Foam::injection::candidate
+(
+    const label typeId,
+    const point& position,
+    const quaternion& turn
+) const
+{
+    clumpCandidate c;
+    c.typeId = typeId;
+    c.position = position;
+    c.state = clumpState(site_.types[typeId], turn);
+    c.state.setRigidMotion(site_.types[typeId], velocity_, Zero);
+    c.followsFlow = !dict_.found("velocity");
+    return c;
+}
+
+
+Foam::label Foam::injection::put
+(
+    const clumpCandidate& c,
+    const label owner,
+    const putAction& action
+)
+{
+    ++nInjected_;
+    return action(c, owner);
+}
+
+
+void Foam::injection::needVelocity(const dictionary& dict) const
+{
+    if (!site_.hasFluid && !dict.found("velocity"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'velocity' is missing, and there is no fluid whose velocity"
+            << " the clumps could take." << exit(FatalIOError);
+    }
+}
+
+
+Foam::labelHashSet Foam::injection::openPatches(const word& entry) const
+{
+    const polyBoundaryMesh& patches = site_.mesh.boundaryMesh();
+    const label nPatches = patches.nNonProcessor();
+
+    DynamicList<word> valid;
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        const polyPatch& pp = patches[patchi];
+        if
+        (
+            !pp.coupled() && !isA<wallPolyPatch>(pp)
+         && !polyPatch::constraintType(pp.type())
+        )
+        {
+            valid.append(pp.name());
+        }
+    }
+
+    labelHashSet result;
+    for (const word& name : dict_.get<wordList>(entry))
+    {
+        if (!valid.found(name))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry '" << entry << "': " << name << " is no open patch of"
+                << " the mesh. Valid names: " << flatOutput(valid)
+                << exit(FatalIOError);
+        }
+        result.insert(patches.findPatchID(name));
+    }
+    if (result.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry '" << entry << "' names no patch. Valid names: "
+            << flatOutput(valid) << exit(FatalIOError);
+    }
+    return result;
+}
+
+
+Foam::boundBox Foam::injection::around(const boundBox& box) const
+{
+    scalar reach = 0;
+    for (const clumpType& type : site_.types)
+    {
+        reach = max(reach, type.reach());
+    }
+    return boundBox
+    (
+        box.min() - 4*reach*vector::one, box.max() + 4*reach*vector::one
+    );
+}
+
+
+void Foam::injection::readState(const dictionary& state)
+{
+    nInjected_ = state.get<label>("injected");
+}
+
+
+void Foam::injection::writeState(dictionary& state) const
+{
+    state.set("injected", nInjected_);
+}

@@ -1,0 +1,88 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "squeezeFilm.H"
+#include "mathematicalConstants.H"
+
+namespace Foam
+{
+namespace gapModels
+{
+    defineTypeNameAndDebug(squeezeFilm, 0);
+    addToRunTimeSelectionTable(gapModel, squeezeFilm, dictionary);
+}
+}
+
+
+Foam::gapModels::squeezeFilm::squeezeFilm(const dictionary& dict)
+:
+    cutOff_(getPositiveOrDefault(dict, "cutOff", 0.6)),
+    roughness_(getPositive(dict, "roughness"))
+{
+    checkEntries(dict, {"type", "cutOff", "roughness"});
+}
+
+
+Foam::scalar Foam::gapModels::squeezeFilm::resistance
+(
+    const scalar gap,
+    const scalar R,
+    const medium& between
+) const
+{
+    const scalar limit = range(between.cellWidth);
+    const scalar g = min(max(gap, roughness_), limit);
+    return
+        6*constant::mathematical::pi*between.viscosity*sqr(R)*(1/g - 1/limit);
+}
+
+
+Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
+(
+    const scalar gap,
+    const scalar start,
+    const scalar dt,
+    const scalar R,
+    const medium& between
+) const
+{
+    const scalar limit = range(between.cellWidth);
+    const scalar rough = min(roughness_, limit);
+    const scalar K = 6*constant::mathematical::pi*between.viscosity*sqr(R);
+
+    // Integrals of c and of (C - C(start)), piece by piece from start to gap
+    scalar C = 0, W = 0, from = start;
+    const auto addPiece = [&](const scalar to)
+    {
+        const scalar d = to - from;
+        const scalar middle = 0.5*(from + to);
+        W += C*d;
+        if (middle < rough)
+        {
+            const scalar c = K*(1/rough - 1/limit);
+            C += c*d;
+            W += 0.5*c*sqr(d);
+        }
+        else if (middle < limit)
+        {
+            const scalar s = d/from;
+            const scalar log = std::log1p(s);
+            C += K*(log - d/limit);
+            W += K*(from*((1 + s)*log - s) - 0.5*sqr(d)/limit);
+        }
+        from = to;
+    };
+    const bool opens = gap > start;
+    for (const scalar bound : {opens ? rough : limit, opens ? limit : rough})
+    {
+        if (min(start, gap) < bound && bound < max(start, gap))
+        {
+            addPiece(bound);
+        }
+    }
+    addPiece(gap);
+
+    return {W/dt, -C/dt, resistance(gap, R, between)/dt};
+}

@@ -1,0 +1,262 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "wallSurface.H"
+#include "mathematicalConstants.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Part of the force of an unbounded plane at a height h that comes from within
+//  the distance s of the centre
+scalar shareWithin(const scalar s, const scalar h, const scalar r)
+{
+    if (s >= r)
+    {
+        return 1;
+    }
+    const scalar e = (r - s)/max(r - h, VSMALL);
+    return 1 - h/s*e*Foam::sqrt(e);
+}
+
+
+//- Integral of shareWithin over the angle at the foot of the centre, along a
+//  line that passes the foot at a distance p, from its nearest point to t
+scalar angleShare
+(
+    const scalar t,
+    const scalar p,
+    const scalar h,
+    const scalar r
+)
+{
+    // Gauss points of eight in [0, 1], twice
+    static const scalar x[] =
+    {
+        0.183434642495650, 0.525532409916329, 0.796666477413627,
+        0.960289856497536
+    };
+    static const scalar w[] =
+    {
+        0.362683783378362, 0.313706645877887, 0.222381034453374,
+        0.101228536290376
+    };
+
+    const scalar length = mag(t);
+    const scalar chord2 = sqr(r) - sqr(h) - sqr(p);
+    const scalar within =
+        chord2 > 0 ? min(length, Foam::sqrt(chord2)) : scalar(0);
+
+    // Outside the sphere all lies within
+    scalar result = std::atan2(length, p);
+    if (within <= 0)
+    {
+        return t < 0 ? -result : result;
+    }
+    result -= std::atan2(within, p);
+
+    // t = p sinh(v) takes the peak at the foot out
+    const scalar half = 0.25*std::asinh(within/p);
+    for (const label part : {1, 3})
+    {
+        for (label k = 0; k < 4; ++k)
+        {
+            for (const scalar at : {part - x[k], part + x[k]})
+            {
+                const scalar c = std::cosh(half*at);
+                const scalar s = Foam::sqrt(sqr(h) + sqr(p*c));
+                result += half*w[k]*shareWithin(s, h, r)/c;
+            }
+        }
+    }
+
+    return t < 0 ? -result : result;
+}
+
+
+//- What an edge of a piece of a plane contributes to the share of the piece, times 2 pi;
+//  from a to b, relative to the centre
+scalar edgeShare
+(
+    const vector& a,
+    const vector& b,
+    const vector& normal,
+    const scalar height,
+    const scalar r
+)
+{
+    const scalar length = mag(b - a);
+    if (length < 1e-12*r)
+    {
+        return 0;
+    }
+    const vector along((b - a)/length);
+    const scalar side = (a ^ along) & normal;
+    const scalar p = mag(side);
+    if (p <= 1e-9*r)
+    {
+        return 0;
+    }
+    const scalar from = a & along;
+    const scalar to = b & along;
+
+    // Outside the sphere, all of the force lies within
+    const scalar chord2 = sqr(r) - sqr(height) - sqr(p);
+    const bool outside =
+        chord2 <= 0 || (from*to > 0 && min(sqr(from), sqr(to)) >= chord2);
+
+    return sign(side)
+       *(
+            outside
+          ? std::atan2(to, p) - std::atan2(from, p)
+          : angleShare(to, p, height, r) - angleShare(from, p, height, r)
+        );
+}
+
+}
+
+
+Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
+(
+    const point& x,
+    const scalar radius,
+    const UList<label>& triangles
+) const
+{
+    DynamicList<contact> result;
+
+    struct facet
+    {
+        label triangle;
+        vector out;         // unit, out of the fluid
+        scalar height;      // of the centre over its plane, into the fluid
+    };
+    DynamicList<facet> facets;
+
+    // Is the centre behind the wall? If several triangles share the nearest
+    // point (on an edge or a corner), the one whose plane is farthest from the
+    // centre decides
+    scalar nearest = radius;
+    scalar side = 0;
+
+    const auto triangleOf = [&](const label t)
+    {
+        const labelledTri& corner = (*surface_)[t];
+        const pointField& points = surface_->points();
+        return triPointRef
+        (
+            points[corner[0]], points[corner[1]], points[corner[2]]
+        );
+    };
+
+    for (const label t : triangles)
+    {
+        const vector& out = out_[t];
+        const triPointRef triangle(triangleOf(t));
+        const scalar height = (triangle.a() - x) & out;
+        if
+        (
+            mag(height) >= radius || out == vector::zero
+         || magSqr(boxes_[t].nearest(x) - x) >= sqr(radius)
+        )
+        {
+            continue;
+        }
+        const scalar gap = triangle.nearestPoint(x).distance();
+        if (gap >= radius)
+        {
+            continue;
+        }
+        facets.append({t, out, height});
+
+        if (gap < nearest - 1e-9*radius)
+        {
+            nearest = gap;
+            side = height;
+        }
+        else if
+        (
+            gap < nearest + 1e-9*radius
+         && mag(height) > mag(side)*(1 - sign(height)*1e-9)
+        )
+        {
+            side = height;
+        }
+    }
+    const bool behind = side < -1e-9*radius;
+
+    const auto counts = [&](const facet& f)
+    {
+        return behind ? f.height <= 0 : f.height >= 0;
+    };
+    for (const facet& f : facets)
+    {
+        counts_[f.triangle] = counts(f);
+    }
+
+    DynamicList<contact> planes;
+    for (const facet& f : facets)
+    {
+        if (!counts(f))
+        {
+            continue;
+        }
+
+        // What two pieces of one plane have from the edge between them adds up to zero
+        const triPointRef triangle(triangleOf(f.triangle));
+        const point corners[] = {triangle.a(), triangle.b(), triangle.c()};
+        const scalar height = max(mag(f.height), 1e-9*radius);
+        scalar share = 0;
+        for (label k = 0; k < 3; ++k)
+        {
+            const label other = coplanar_[3*f.triangle + k];
+            if (other < 0 || !counts_[other])
+            {
+                share += edgeShare
+                (
+                    corners[k] - x, corners[(k + 1) % 3] - x, f.out, height,
+                    radius
+                );
+            }
+        }
+
+        // The pieces of one plane are one contact
+        const contact c{-f.out, radius - f.height, share};
+        bool known = false;
+        for (contact& other : planes)
+        {
+            if
+            (
+                mag(other.normal - c.normal) < 1e-6
+             && mag(other.overlap - c.overlap) < 1e-6*radius
+            )
+            {
+                other.share += share;
+                known = true;
+                break;
+            }
+        }
+        if (!known)
+        {
+            planes.append(c);
+        }
+    }
+    for (const facet& f : facets)
+    {
+        counts_[f.triangle] = false;
+    }
+    for (contact& c : planes)
+    {
+        c.share /= constant::mathematical::twoPi;
+        if (c.share >= 1e-9)
+        {
+            result.append(c);
+        }
+    }
+
+    return result;
+}

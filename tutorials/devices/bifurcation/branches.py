@@ -1,0 +1,116 @@
+"""Counts the red cells that leave through each branch and draws them.
+
+Reads postProcessing/clumpPassages (what entered and left), flowRight and flowLeft (volume flow
+through the branches) and VTK/clumps (the spheres). Writes result.csv and result.png. The law of
+Pries and Secomb (Microvascular blood viscosity and the endothelial surface layer, Am. J. Physiol.
+289, H2657, 2005) is drawn for comparison.
+"""
+
+import csv
+import glob
+import math
+import re
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+BRANCHES = "right", "left"
+VOLUME = 94e-18         # of a red cell [m3]
+FEED = 0.2              # discharge haematocrit of the feed
+DIAMETER = 10           # of the channels [um]
+
+
+def rows(pattern):
+    """Rows of a table, over all its start times; a later run replaces the rows it repeats"""
+    def start(path):
+        return float(path.split("/")[-2])
+    result = []
+    for path in sorted(glob.glob(pattern), key=start):
+        result = [row for row in result if float(row[0]) <= start(path)]
+        with open(path) as table:
+            result += [line.split() for line in table if not line.startswith("#")]
+    return result
+
+
+def priesSecomb(flow, feed=FEED, diameter=DIAMETER):
+    """Fraction of the cells over the fraction of the flow; branches of equal diameters [um]"""
+    x0 = 0.964*(1 - feed)/diameter
+    b = 1 + 6.98*(1 - feed)/diameter
+    if not x0 < flow < 1 - x0:
+        return 0.0 if flow <= x0 else 1.0
+    s = (flow - x0)/(1 - 2*x0)
+    return 1/(1 + math.exp(-b*math.log(s/(1 - s))))
+
+
+def spheres(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    radii = vtk_to_numpy(data.GetPointData().GetArray("radius"))
+    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
+
+
+passages = rows("postProcessing/clumpPassages/*/clumpPassages.dat")
+left = {b: [float(r[0]) for r in passages if r[1] == "left" and r[4] == b] for b in BRANCHES}
+entered = [float(r[0]) for r in passages if r[1] == "entered"]
+flow = {b: [(float(r[0]), float(r[1])) for r in rows(
+    "postProcessing/flow%s/*/surfaceFieldValue.dat" % b.capitalize())] for b in BRANCHES}
+end = max(t for t, _ in flow["left"])
+
+# From the time on at which the first cell leaves
+begin = min((t for times in left.values() for t in times), default=0)
+volume = {b: sum(q for t, q in flow[b] if t > begin)*(end - begin)
+          / max(sum(1 for t, _ in flow[b] if t > begin), 1) for b in BRANCHES}
+cells = {b: sum(1 for t in left[b] if t > begin) for b in BRANCHES}
+allCells, allVolume = max(sum(cells.values()), 1), sum(volume.values())
+
+print("%d cells have entered, %d have left, %d are inside"
+      % (len(entered), sum(map(len, left.values())),
+         len(entered) - sum(map(len, left.values()))))
+with open("result.csv", "w", newline="") as out:
+    table = csv.writer(out)
+    table.writerow(["branch", "cells", "fraction_of_flow", "fraction_of_cells",
+                    "Pries_Secomb", "discharge_haematocrit"])
+    for b in BRANCHES:
+        share = volume[b]/allVolume
+        row = [b, cells[b], "%.3f" % share, "%.3f" % (cells[b]/allCells),
+               "%.3f" % priesSecomb(share), "%.3f" % (cells[b]*VOLUME/volume[b])]
+        table.writerow(row)
+        print("%-6s %3s cells, %s of the flow, %s of the cells (Pries and Secomb %s), "
+              "haematocrit %s" % tuple(row))
+
+figure, (scene, law) = plt.subplots(1, 2, figsize=(10, 5))
+last = max(glob.glob("VTK/clumps/spheres_*.vtp"), key=lambda f: int(re.findall(r"_(\d+)\.", f)[0]))
+x, radii = spheres(last)
+for centre, radius in sorted(zip(x.tolist(), radii), key=lambda s: s[0][2]):
+    scene.add_patch(plt.Circle(centre[:2], radius, lw=0.3, ec="k",
+                               fc=plt.cm.Reds(0.45 + 0.04*centre[2])))
+for corner in ((-25, 5), (0, 5), (0, 30)), ((-25, -5), (0, -5), (0, -30)), ((10, -30), (10, 30)):
+    scene.plot(*zip(*corner), "k", lw=1.5)
+scene.annotate("", (-19, 0), (-26, 0), arrowprops={"arrowstyle": "->"})
+scene.text(11, 27, "left, %d cells" % cells["left"], fontsize=9)
+scene.text(11, -28, "right, %d cells" % cells["right"], fontsize=9)
+scene.set_xlim(-27, 33)
+scene.set_aspect("equal")
+scene.set_xlabel("x [um]")
+scene.set_ylabel("y [um]")
+scene.set_title("%.0f ms" % (1e3*end), fontsize=10)
+
+at = [k/200 for k in range(201)]
+law.plot(at, at, "k:", lw=0.8, label="as the flow")
+law.plot(at, [priesSecomb(f) for f in at], "k", lw=1, label="Pries and Secomb, D 10 um")
+for b, colour in zip(BRANCHES, ("C3", "C0")):
+    share = cells[b]/allCells
+    error = math.sqrt(max(share*(1 - share), 1/allCells)/allCells)
+    law.errorbar([volume[b]/allVolume], [share], [error], fmt="o", color=colour, capsize=3,
+                 label="%s, haematocrit %.2f" % (b, cells[b]*VOLUME/volume[b]))
+law.set_xlim(0, 1)
+law.set_ylim(0, 1)
+law.set_xlabel("fraction of the flow")
+law.set_ylabel("fraction of the cells")
+law.legend(fontsize=8)
+figure.tight_layout()
+figure.savefig("result.png", dpi=110)

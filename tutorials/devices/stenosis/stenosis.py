@@ -1,0 +1,95 @@
+"""Counts the red cells that pass the stenosis, and draws them with their lengths.
+
+Reads postProcessing/clumpPassages (what entered and left), clumpForce (places, velocities),
+clumpShape (lengths) and VTK/clumps (the spheres). Writes result.csv and result.png.
+"""
+
+import csv
+import glob
+import math
+import re
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+VOLUME = 94             # of a red cell [um3]
+DEPTH = 10              # of the channel [um]
+# name: from and to in x [um]
+SECTIONS = {"before": (6, 18), "throat": (27, 33), "behind": (42, 54)}
+
+
+def halfHeight(x):
+    """Of the channel [um]; system/blockMeshDict"""
+    return 8 - 4*(1 - math.cos(math.pi*min(max(1 - abs(x - 30)/12, 0), 1)))/2
+
+
+def rows(name):
+    """Rows of a table, over all its start times; a later run replaces the rows it repeats"""
+    def start(path):
+        return float(path.split("/")[-2])
+    result = []
+    for path in sorted(glob.glob("postProcessing/%s/*/%s.dat" % (name, name)), key=start):
+        result = [row for row in result if float(row[0]) <= start(path)]
+        with open(path) as table:
+            result += [line.split() for line in table if not line.startswith("#")]
+    return result
+
+
+def spheres(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    radii = vtk_to_numpy(data.GetPointData().GetArray("radius"))
+    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
+
+
+passages = rows("clumpPassages")
+left = [float(r[0]) for r in passages if r[1] == "left"]
+entered = [float(r[0]) for r in passages if r[1] == "entered"]
+print("%d cells have entered, %d have left, %d are inside"
+      % (len(entered), len(left), len(entered) - len(left)))
+
+begin = min(left, default=0)
+length = {(r[0], r[1]): 1e6*float(r[6]) for r in rows("clumpShape")}
+cells = [(1e6*float(r[9]), 1e3*float(r[12]), length[r[0], r[1]])
+         for r in rows("clumpForce") if float(r[0]) >= begin]
+nTimes = len({r[0] for r in rows("clumpForce") if float(r[0]) >= begin})
+
+with open("result.csv", "w", newline="") as out:
+    table = csv.writer(out)
+    table.writerow(["section", "mean_speed_mm_s", "mean_length_um", "tube_haematocrit"])
+    for name, (low, high) in SECTIONS.items():
+        here = [c for c in cells if low < c[0] < high]
+        n = max(len(here), 1)
+        space = 2*DEPTH*sum(halfHeight(low + (k + 0.5)/100*(high - low)) for k in range(100)) \
+            * (high - low)/100
+        row = [name, "%.2f" % (sum(c[1] for c in here)/n), "%.2f" % (sum(c[2] for c in here)/n),
+               "%.3f" % (len(here)/max(nTimes, 1)*VOLUME/space)]
+        table.writerow(row)
+        print("%-7s mean speed of the cells %s mm/s, length %s um, tube haematocrit %s"
+              % tuple(row))
+
+figure, (scene, plot) = plt.subplots(2, 1, figsize=(8, 6.5), sharex=True)
+last = max(glob.glob("VTK/clumps/spheres_*.vtp"), key=lambda f: int(re.findall(r"_(\d+)\.", f)[0]))
+x, radii = spheres(last)
+for centre, radius in sorted(zip(x.tolist(), radii), key=lambda s: s[0][2]):
+    scene.add_patch(plt.Circle(centre[:2], radius, lw=0.3, ec="k",
+                               fc=plt.cm.Reds(0.45 + 0.04*centre[2])))
+at = [60*k/200 for k in range(201)]
+for sign in -1, 1:
+    scene.plot(at, [sign*halfHeight(v) for v in at], "k", lw=1.5)
+scene.set_xlim(-2, 62)
+scene.set_ylim(-9, 9)
+scene.set_aspect("equal")
+scene.set_ylabel("y [um]")
+scene.set_title("%d cells entered, %d left" % (len(entered), len(left)), fontsize=10)
+dots = plot.scatter([c[0] for c in cells], [c[2] for c in cells], 4, [c[1] for c in cells])
+figure.colorbar(dots, ax=plot, orientation="horizontal", pad=0.25, fraction=0.08,
+                label="speed of the cell [mm/s]")
+plot.set_xlabel("x [um]")
+plot.set_ylabel("length of the cell [um]")
+figure.tight_layout()
+figure.savefig("result.png", dpi=110)

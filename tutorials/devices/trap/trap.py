@@ -1,0 +1,87 @@
+"""Finds the red cells that the trap has caught, and draws them.
+
+Reads postProcessing/clumpPassages (what entered and left), clumpForce (places, velocities) and
+VTK/clumps (the spheres). Writes result.csv and result.png.
+"""
+
+import csv
+import glob
+import re
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+# The trap, from constant/triSurface/trap.stl [um], and its pocket
+POST = [(20, 4.5), (26, 4.5), (26, 1), (29, 1), (29, 7), (20, 7)]
+POCKET = (18, 29), (-4.5, 4.5)
+SLOW = 0.05             # of a caught cell, to the mean velocity of the flow
+MEAN = 1e-3             # [m/s]
+
+
+def rows(name):
+    """Rows of a table, over all its start times; a later run replaces the rows it repeats"""
+    def start(path):
+        return float(path.split("/")[-2])
+    result = []
+    for path in sorted(glob.glob("postProcessing/%s/*/%s.dat" % (name, name)), key=start):
+        result = [row for row in result if float(row[0]) <= start(path)]
+        with open(path) as table:
+            result += [line.split() for line in table if not line.startswith("#")]
+    return result
+
+
+def spheres(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    radii = vtk_to_numpy(data.GetPointData().GetArray("radius"))
+    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
+
+
+passages = rows("clumpPassages")
+left = [r for r in passages if r[1] == "left"]
+entered = [r for r in passages if r[1] == "entered"]
+print("%d cells have entered, %d have left, %d are inside"
+      % (len(entered), len(left), len(entered) - len(left)))
+
+caught = {}             # number: first time in the pocket and slow
+for r in rows("clumpForce"):
+    x, y = (1e6*float(v) for v in r[9:11])
+    speed = sum(float(v)**2 for v in r[12:15])**0.5
+    inside = POCKET[0][0] < x < POCKET[0][1] and POCKET[1][0] < y < POCKET[1][1]
+    if inside and speed < SLOW*MEAN:
+        caught.setdefault(r[1], float(r[0]))
+    else:
+        caught.pop(r[1], None)
+
+with open("result.csv", "w", newline="") as out:
+    table = csv.writer(out)
+    table.writerow(["number", "caught_at_s"])
+    for number, time in sorted(caught.items(), key=lambda c: c[1]):
+        table.writerow([number, time])
+        print("cell %s is in the trap since %.0f ms" % (number, 1e3*time))
+if not caught:
+    print("the trap is empty")
+
+figure, scene = plt.subplots(figsize=(9, 6))
+last = max(glob.glob("VTK/clumps/spheres_*.vtp"), key=lambda f: int(re.findall(r"_(\d+)\.", f)[0]))
+x, radii = spheres(last)
+for centre, radius in sorted(zip(x.tolist(), radii), key=lambda s: s[0][2]):
+    scene.add_patch(plt.Circle(centre[:2], radius, lw=0.3, ec="k",
+                               fc=plt.cm.Reds(0.45 + 0.04*centre[2])))
+for sign in 1, -1:
+    scene.add_patch(plt.Polygon([(a, sign*b) for a, b in POST], fc="0.6", ec="k"))
+    scene.plot([0, 50], [12*sign, 12*sign], "k", lw=1.5)
+scene.annotate("", (5, 0), (-2, 0), arrowprops={"arrowstyle": "->"})
+scene.set_xlim(-3, 52)
+scene.set_ylim(-13, 13)
+scene.set_aspect("equal")
+scene.set_xlabel("x [um]")
+scene.set_ylabel("y [um]")
+scene.set_title("%d cells entered, %d left, %d caught"
+                % (len(entered), len(left), len(caught)), fontsize=10)
+figure.tight_layout()
+figure.savefig("result.png", dpi=110)

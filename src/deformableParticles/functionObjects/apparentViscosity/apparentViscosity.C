@@ -53,10 +53,13 @@ bool Foam::functionObjects::apparentViscosity::read(const dictionary& dict)
 }
 
 
-Foam::List<Foam::string>
-Foam::functionObjects::apparentViscosity::columns() const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::apparentViscosity::header() const
 {
-    return {"tau [Pa]", "rate [1/s]", "mu [Pa s]", "muRel", "Ub [m/s]"};
+    return
+        tableHeader("Apparent viscosity")
+       .add("tau", "Pa").add("rate", "1/s").add("mu", "Pa.s").add("muRel")
+       .add("Ub", "m/s");
 }
 
 

@@ -41,10 +41,12 @@ bool Foam::functionObjects::cellFreeLayer::read(const dictionary& dict)
 }
 
 
-Foam::List<Foam::string>
-Foam::functionObjects::cellFreeLayer::columns() const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::cellFreeLayer::header() const
 {
-    return {"layer [m]", "deviation [m]", "least [m]"};
+    return
+        tableHeader("Width of the layer at the walls without clumps")
+       .add("layer", "m").add("deviation", "m").add("least", "m");
 }
 
 

@@ -41,13 +41,14 @@ bool Foam::functionObjects::clumpProfiles::read(const dictionary& dict)
 }
 
 
-Foam::List<Foam::string>
-Foam::functionObjects::clumpProfiles::columns() const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::clumpProfiles::header() const
 {
-    List<string> result({"bin", "s [m]", "H", "U [m/s]", "Uc [m/s]"});
+    tableHeader result("Profiles of haematocrit and velocity");
+    result.add("bin").add("s", "m").add("H").add("U", "m/s").add("Uc", "m/s");
     for (const clumpType& type : cloud().types())
     {
-        result.append("H_" + type.name());
+        result.add("H_" + type.name());
     }
     return result;
 }

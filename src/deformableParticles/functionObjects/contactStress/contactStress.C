@@ -54,14 +54,13 @@ Foam::functionObjects::contactStress::contactStress
 }
 
 
-Foam::List<Foam::string>
-Foam::functionObjects::contactStress::columns() const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::contactStress::header() const
 {
     return
-    {
-        "contacts", "deepest", "wall", "shear [Pa]", "flow [Pa]",
-        "gradient [Pa]", "vorticity [Pa]"
-    };
+        tableHeader("Contacts of clumps")
+       .add("contacts").add("deepest").add("wall").add("shear", "Pa")
+       .add("flow", "Pa").add("gradient", "Pa").add("vorticity", "Pa");
 }
 
 

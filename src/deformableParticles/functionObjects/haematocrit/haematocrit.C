@@ -29,14 +29,15 @@ Foam::functionObjects::haematocrit::haematocrit
 }
 
 
-Foam::List<Foam::string>
-Foam::functionObjects::haematocrit::columns() const
+Foam::functionObjects::tableHeader
+Foam::functionObjects::haematocrit::header() const
 {
-    List<string> result({"Ht", "Hd", "HtHd", "phi", "Ub [m/s]", "Uc [m/s]"});
+    tableHeader result("Tube and discharge haematocrit");
+    result.add("Ht").add("Hd").add("HtHd").add("phi").add("Ub", "m/s")
+       .add("Uc", "m/s");
     for (const clumpType& type : cloud().types())
     {
-        result.append("Ht_" + type.name());
-        result.append("Hd_" + type.name());
+        result.add("Ht_" + type.name()).add("Hd_" + type.name());
     }
     return result;
 }

@@ -28,7 +28,7 @@ Foam::functionObjects::suspensionTable::suspensionTable
 bool Foam::functionObjects::suspensionTable::read(const dictionary& dict)
 {
     checkEntries(dict, entries_, functionObjectEntries());
-    cloudName_ = deformableCloud::find(mesh_, dict).name();
+    cloudName_ = deformableCloud::findName(mesh_, dict);
     axes_ = flowAxes(dict);
     return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }
@@ -65,19 +65,10 @@ void Foam::functionObjects::suspensionTable::writeRow
     const scalarList& values
 )
 {
-    Ostream& os = table_.open
-    (
-        [this](Ostream& s)
-        {
-            s.width(0);
-            s   << "# " << title().c_str() << nl << "# time [s]";
-            for (const string& column : columns())
-            {
-                s   << '\t' << column.c_str();
-            }
-            s   << nl;
-        }
-    );
+    const tableHeader further(header());
+    tableHeader all(further.title());
+    all.add("time", "s").add(further);
+    Ostream& os = table_.open(all);
     os  << time_.timeOutputValue();
     for (const scalar value : values)
     {

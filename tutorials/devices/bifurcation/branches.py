@@ -9,6 +9,7 @@ Pries and Secomb (Microvascular blood viscosity and the endothelial surface laye
 import csv
 import glob
 import math
+import os
 import re
 import matplotlib
 matplotlib.use("Agg")
@@ -42,7 +43,8 @@ def spheres(path):
     return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
 
 
-passages = table(".", "clumpPassages")
+# There is no table before the first clump enters or leaves
+passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
 left = {b: [r["time"] for r in passages if r["event"] == "left" and r["patch"] == b]
         for b in BRANCHES}
 entered = [r["time"] for r in passages if r["event"] == "entered"]

@@ -7,6 +7,7 @@ clumpShape (lengths) and VTK/clumps (the spheres). Writes result.csv and result.
 import csv
 import glob
 import math
+import os
 import re
 import matplotlib
 matplotlib.use("Agg")
@@ -35,7 +36,8 @@ def spheres(path):
     return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
 
 
-passages = table(".", "clumpPassages")
+# There is no table before the first clump enters or leaves
+passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
 left = [r["time"] for r in passages if r["event"] == "left"]
 entered = [r["time"] for r in passages if r["event"] == "entered"]
 print("%d cells have entered, %d have left, %d are inside"

@@ -6,6 +6,7 @@ VTK/clumps (the spheres). Writes result.csv and result.png.
 
 import csv
 import glob
+import os
 import re
 import matplotlib
 matplotlib.use("Agg")
@@ -30,7 +31,8 @@ def spheres(path):
     return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
 
 
-passages = table(".", "clumpPassages")
+# There is no table before the first clump enters or leaves
+passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
 left = [r for r in passages if r["event"] == "left"]
 entered = [r for r in passages if r["event"] == "entered"]
 print("%d cells have entered, %d have left, %d are inside"

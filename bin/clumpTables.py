@@ -72,6 +72,10 @@ def texts(case, name, **wanted):
     """Rows of a table, of all its starts; wanted: clump=0, type="bead"."""
     folder = os.path.join(case, "postProcessing", name)
     rows = []
+    if not os.path.isdir(folder):
+        there = os.path.dirname(folder)
+        sys.exit(f"There is no table {name} in {case}; there are "
+                 + (", ".join(sorted(os.listdir(there))) if os.path.isdir(there) else "none"))
     for start in sorted(os.listdir(folder), key=float):
         files = [os.path.join(folder, start, file) for file in os.listdir(
             os.path.join(folder, start))]

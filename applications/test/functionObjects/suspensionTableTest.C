@@ -9,13 +9,15 @@
 #include "cellFreeLayer.H"
 #include "clumpProfiles.H"
 #include "contactStress.H"
-#include "haematocrit.H"
 #include "fixedValueFvPatchFields.H"
 #include "mathematicalConstants.H"
 #include "OSspecific.H"
 #include <fstream>
 #include <map>
 #include <sstream>
+
+// An injection has the same name, and the links to headers have one place for both
+#include "../../src/deformableParticles/functionObjects/haematocrit/haematocrit.H"
 
 using namespace Foam;
 using constant::mathematical::pi;

@@ -9,29 +9,19 @@ Pries and Secomb (Microvascular blood viscosity and the endothelial surface laye
 import csv
 import glob
 import math
+import os
 import re
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from clumpTables import table
 
 BRANCHES = "right", "left"
 VOLUME = 94e-18         # of a red cell [m3]
 FEED = 0.2              # discharge haematocrit of the feed
 DIAMETER = 10           # of the channels [um]
-
-
-def rows(pattern):
-    """Rows of a table, over all its start times; a later run replaces the rows it repeats"""
-    def start(path):
-        return float(path.split("/")[-2])
-    result = []
-    for path in sorted(glob.glob(pattern), key=start):
-        result = [row for row in result if float(row[0]) <= start(path)]
-        with open(path) as table:
-            result += [line.split() for line in table if not line.startswith("#")]
-    return result
 
 
 def priesSecomb(flow, feed=FEED, diameter=DIAMETER):
@@ -53,11 +43,13 @@ def spheres(path):
     return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
 
 
-passages = rows("postProcessing/clumpPassages/*/clumpPassages.dat")
-left = {b: [float(r[0]) for r in passages if r[1] == "left" and r[4] == b] for b in BRANCHES}
-entered = [float(r[0]) for r in passages if r[1] == "entered"]
-flow = {b: [(float(r[0]), float(r[1])) for r in rows(
-    "postProcessing/flow%s/*/surfaceFieldValue.dat" % b.capitalize())] for b in BRANCHES}
+# There is no table before the first clump enters or leaves
+passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
+left = {b: [r["time"] for r in passages if r["event"] == "left" and r["patch"] == b]
+        for b in BRANCHES}
+entered = [r["time"] for r in passages if r["event"] == "entered"]
+# The tables of OpenFOAM have the time and one value
+flow = {b: [tuple(r.values()) for r in table(".", "flow" + b.capitalize())] for b in BRANCHES}
 end = max(t for t, _ in flow["left"])
 
 # From the time on at which the first cell leaves
@@ -71,14 +63,14 @@ print("%d cells have entered, %d have left, %d are inside"
       % (len(entered), sum(map(len, left.values())),
          len(entered) - sum(map(len, left.values()))))
 with open("result.csv", "w", newline="") as out:
-    table = csv.writer(out)
-    table.writerow(["branch", "cells", "fraction_of_flow", "fraction_of_cells",
+    result = csv.writer(out)
+    result.writerow(["branch", "cells", "fraction_of_flow", "fraction_of_cells",
                     "Pries_Secomb", "discharge_haematocrit"])
     for b in BRANCHES:
         share = volume[b]/allVolume
         row = [b, cells[b], "%.3f" % share, "%.3f" % (cells[b]/allCells),
                "%.3f" % priesSecomb(share), "%.3f" % (cells[b]*VOLUME/volume[b])]
-        table.writerow(row)
+        result.writerow(row)
         print("%-6s %3s cells, %s of the flow, %s of the cells (Pries and Secomb %s), "
               "haematocrit %s" % tuple(row))
 

@@ -7,12 +7,14 @@ clumpShape (lengths) and VTK/clumps (the spheres). Writes result.csv and result.
 import csv
 import glob
 import math
+import os
 import re
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from clumpTables import table
 
 VOLUME = 94             # of a red cell [um3]
 DEPTH = 10              # of the channel [um]
@@ -25,18 +27,6 @@ def halfHeight(x):
     return 8 - 4*(1 - math.cos(math.pi*min(max(1 - abs(x - 30)/12, 0), 1)))/2
 
 
-def rows(name):
-    """Rows of a table, over all its start times; a later run replaces the rows it repeats"""
-    def start(path):
-        return float(path.split("/")[-2])
-    result = []
-    for path in sorted(glob.glob("postProcessing/%s/*/%s.dat" % (name, name)), key=start):
-        result = [row for row in result if float(row[0]) <= start(path)]
-        with open(path) as table:
-            result += [line.split() for line in table if not line.startswith("#")]
-    return result
-
-
 def spheres(path):
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
@@ -46,21 +36,22 @@ def spheres(path):
     return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
 
 
-passages = rows("clumpPassages")
-left = [float(r[0]) for r in passages if r[1] == "left"]
-entered = [float(r[0]) for r in passages if r[1] == "entered"]
+# There is no table before the first clump enters or leaves
+passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
+left = [r["time"] for r in passages if r["event"] == "left"]
+entered = [r["time"] for r in passages if r["event"] == "entered"]
 print("%d cells have entered, %d have left, %d are inside"
       % (len(entered), len(left), len(entered) - len(left)))
 
 begin = min(left, default=0)
-length = {(r[0], r[1]): 1e6*float(r[6]) for r in rows("clumpShape")}
-cells = [(1e6*float(r[9]), 1e3*float(r[12]), length[r[0], r[1]])
-         for r in rows("clumpForce") if float(r[0]) >= begin]
-nTimes = len({r[0] for r in rows("clumpForce") if float(r[0]) >= begin})
+length = {(r["time"], r["clump"]): 1e6*r["L1"] for r in table(".", "clumpShape")}
+present = [r for r in table(".", "clumpForce") if r["time"] >= begin]
+cells = [(1e6*r["x"], 1e3*r["Ux"], length[r["time"], r["clump"]]) for r in present]
+nTimes = len({r["time"] for r in present})
 
 with open("result.csv", "w", newline="") as out:
-    table = csv.writer(out)
-    table.writerow(["section", "mean_speed_mm_s", "mean_length_um", "tube_haematocrit"])
+    result = csv.writer(out)
+    result.writerow(["section", "mean_speed_mm_s", "mean_length_um", "tube_haematocrit"])
     for name, (low, high) in SECTIONS.items():
         here = [c for c in cells if low < c[0] < high]
         n = max(len(here), 1)
@@ -68,7 +59,7 @@ with open("result.csv", "w", newline="") as out:
             * (high - low)/100
         row = [name, "%.2f" % (sum(c[1] for c in here)/n), "%.2f" % (sum(c[2] for c in here)/n),
                "%.3f" % (len(here)/max(nTimes, 1)*VOLUME/space)]
-        table.writerow(row)
+        result.writerow(row)
         print("%-7s mean speed of the cells %s mm/s, length %s um, tube haematocrit %s"
               % tuple(row))
 

@@ -6,30 +6,20 @@ VTK/clumps (the spheres). Writes result.csv and result.png.
 
 import csv
 import glob
+import os
 import re
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from clumpTables import table
 
 # The trap, from constant/triSurface/trap.stl [um], and its pocket
 POST = [(20, 4.5), (26, 4.5), (26, 1), (29, 1), (29, 7), (20, 7)]
 POCKET = (18, 29), (-4.5, 4.5)
 SLOW = 0.05             # of a caught cell, to the mean velocity of the flow
 MEAN = 1e-3             # [m/s]
-
-
-def rows(name):
-    """Rows of a table, over all its start times; a later run replaces the rows it repeats"""
-    def start(path):
-        return float(path.split("/")[-2])
-    result = []
-    for path in sorted(glob.glob("postProcessing/%s/*/%s.dat" % (name, name)), key=start):
-        result = [row for row in result if float(row[0]) <= start(path)]
-        with open(path) as table:
-            result += [line.split() for line in table if not line.startswith("#")]
-    return result
 
 
 def spheres(path):
@@ -41,27 +31,28 @@ def spheres(path):
     return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
 
 
-passages = rows("clumpPassages")
-left = [r for r in passages if r[1] == "left"]
-entered = [r for r in passages if r[1] == "entered"]
+# There is no table before the first clump enters or leaves
+passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
+left = [r for r in passages if r["event"] == "left"]
+entered = [r for r in passages if r["event"] == "entered"]
 print("%d cells have entered, %d have left, %d are inside"
       % (len(entered), len(left), len(entered) - len(left)))
 
 caught = {}             # number: first time in the pocket and slow
-for r in rows("clumpForce"):
-    x, y = (1e6*float(v) for v in r[9:11])
-    speed = sum(float(v)**2 for v in r[12:15])**0.5
+for r in table(".", "clumpForce"):
+    x, y = 1e6*r["x"], 1e6*r["y"]
+    speed = sum(r[c]**2 for c in ("Ux", "Uy", "Uz"))**0.5
     inside = POCKET[0][0] < x < POCKET[0][1] and POCKET[1][0] < y < POCKET[1][1]
     if inside and speed < SLOW*MEAN:
-        caught.setdefault(r[1], float(r[0]))
+        caught.setdefault(r["clump"], r["time"])
     else:
-        caught.pop(r[1], None)
+        caught.pop(r["clump"], None)
 
 with open("result.csv", "w", newline="") as out:
-    table = csv.writer(out)
-    table.writerow(["number", "caught_at_s"])
+    result = csv.writer(out)
+    result.writerow(["number", "caught_at_s"])
     for number, time in sorted(caught.items(), key=lambda c: c[1]):
-        table.writerow([number, time])
+        result.writerow([number, time])
         print("cell %s is in the trap since %.0f ms" % (number, 1e3*time))
 if not caught:
     print("the trap is empty")

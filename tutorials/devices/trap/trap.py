@@ -16,7 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from clumpTables import table
 
 # The trap, from constant/triSurface/trap.stl [um], and its pocket
-POST = [(20, 4.5), (26, 4.5), (26, 1), (29, 1), (29, 7), (20, 7)]
+POST = [(20, 4.5), (26, 4.5), (26, 1.25), (29, 1.25), (29, 7), (20, 7)]
 POCKET = (18, 29), (-4.5, 4.5)
 SLOW = 0.05             # of a caught cell, to the mean velocity of the flow
 MEAN = 1e-3             # [m/s]
@@ -65,10 +65,10 @@ for centre, radius in sorted(zip(x.tolist(), radii), key=lambda s: s[0][2]):
                                fc=plt.cm.Reds(0.45 + 0.04*centre[2])))
 for sign in 1, -1:
     scene.add_patch(plt.Polygon([(a, sign*b) for a, b in POST], fc="0.6", ec="k"))
-    scene.plot([0, 50], [12*sign, 12*sign], "k", lw=1.5)
+    scene.plot([0, 50], [15*sign, 15*sign], "k", lw=1.5)
 scene.annotate("", (5, 0), (-2, 0), arrowprops={"arrowstyle": "->"})
 scene.set_xlim(-3, 52)
-scene.set_ylim(-13, 13)
+scene.set_ylim(-16, 16)
 scene.set_aspect("equal")
 scene.set_xlabel("x [um]")
 scene.set_ylabel("y [um]")

@@ -10,14 +10,12 @@
 #include "clumpProfiles.H"
 #include "contactStress.H"
 #include "fixedValueFvPatchFields.H"
+#include "haematocrit.H"
 #include "mathematicalConstants.H"
 #include "OSspecific.H"
 #include <fstream>
 #include <map>
 #include <sstream>
-
-// An injection has the same name, and the links to headers have one place for both
-#include "../../src/deformableParticles/functionObjects/haematocrit/haematocrit.H"
 
 using namespace Foam;
 using constant::mathematical::pi;

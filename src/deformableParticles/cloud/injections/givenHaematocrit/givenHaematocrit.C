@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "haematocrit.H"
+#include "givenHaematocrit.H"
 #include "patchWave.H"
 #include <cmath>
 
@@ -11,13 +11,13 @@ namespace Foam
 {
 namespace clumpInjections
 {
-    defineTypeNameAndDebug(haematocrit, 0);
-    addToRunTimeSelectionTable(injection, haematocrit, dictionary);
+    defineTypeNameAndDebug(givenHaematocrit, 0);
+    addToRunTimeSelectionTable(injection, givenHaematocrit, dictionary);
 }
 }
 
 
-Foam::clumpInjections::haematocrit::haematocrit
+Foam::clumpInjections::givenHaematocrit::givenHaematocrit
 (
     const dictionary& dict,
     const site& s
@@ -48,7 +48,7 @@ Foam::clumpInjections::haematocrit::haematocrit
 }
 
 
-void Foam::clumpInjections::haematocrit::findRegion()
+void Foam::clumpInjections::givenHaematocrit::findRegion()
 {
     const polyMesh& mesh = site_.mesh;
     const patchWave wave(mesh, patches(), true);
@@ -70,7 +70,7 @@ void Foam::clumpInjections::haematocrit::findRegion()
 }
 
 
-Foam::scalar Foam::clumpInjections::haematocrit::due
+Foam::scalar Foam::clumpInjections::givenHaematocrit::due
 (
     const Cloud<clumpParcel>& clumps,
     const scalar before
@@ -97,7 +97,7 @@ Foam::scalar Foam::clumpInjections::haematocrit::due
 }
 
 
-void Foam::clumpInjections::haematocrit::meshChanged()
+void Foam::clumpInjections::givenHaematocrit::meshChanged()
 {
     patchInjection::meshChanged();
     if (tube_)

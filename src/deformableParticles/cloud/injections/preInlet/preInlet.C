@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "preInlet.H"
+#include "foamCompat.H"
 #include "ListOps.H"
 #include <algorithm>
 
@@ -134,8 +135,7 @@ void Foam::clumpInjections::preInlet::begin
             members_.insert(p.origId());
         }
     }
-    Pstream::combineGather(members_, plusEqOp<labelHashSet>());
-    Pstream::combineScatter(members_);
+    reduceWhole(members_, plusEqOp<labelHashSet>());
     if (members_.empty())
     {
         FatalIOErrorInFunction(dict_)
@@ -182,12 +182,11 @@ Foam::List<Foam::clumpCandidate> Foam::clumpInjections::preInlet::leaving
             result.append(c);
         }
     }
-    Pstream::combineGather
+    reduceWhole
     (
         result,
         [](List<clumpCandidate>& a, const List<clumpCandidate>& b) { a.append(b); }
     );
-    Pstream::combineScatter(result);
     std::sort
     (
         result.begin(), result.end(),

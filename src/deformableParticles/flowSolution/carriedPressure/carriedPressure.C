@@ -136,7 +136,7 @@ void Foam::carriedPressure::predict
     const dictionary& solver
 )
 {
-    if (sameLevel_.empty())
+    if (!sameLevel_.valid())
     {
         findLevels();
     }

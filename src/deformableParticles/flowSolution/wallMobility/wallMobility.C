@@ -98,7 +98,7 @@ const Foam::volScalarField& Foam::wallMobility::resistance
     const scalar mean = nu.weightedAverage(nu.mesh().V()).value();
     if
     (
-        resistance_.empty()
+        !resistance_.valid()
      || mag(dt - deltaT_) > 0.1*deltaT_
      || mag(mean - nu_) > 0.1*nu_
     )

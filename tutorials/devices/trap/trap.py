@@ -53,7 +53,7 @@ with open("result.csv", "w", newline="") as out:
     result.writerow(["number", "caught_at_s"])
     for number, time in sorted(caught.items(), key=lambda c: c[1]):
         result.writerow([number, time])
-        print("cell %s is in the trap since %.0f ms" % (number, 1e3*time))
+        print("cell %d is in the trap since %.0f ms" % (number, 1e3*time))
 if not caught:
     print("the trap is empty")
 

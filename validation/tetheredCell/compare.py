@@ -97,6 +97,11 @@ for run in ours(4, velocity=980) if fine else []:
         results.add(f"F_D/u at {run['deltaT_s']:g} s", over_u(run), "pN s/um", over_u(fine[0]),
                     "0.2%", "2e-4 s")
 
+for run in ours(4, 4e-3) if sweep else []:
+    u = run["velocity_um_s"]
+    results.add(f"F_D/u at {u} um/s, step 4e-3 s over 1e-3 s", over_u(run)/over_u(
+        ours(4, 1e-3, u)[0]), "-", 1, "0.2%", "step 1e-3 s")
+
 alone = [r for r in runs if r["settings"] == "bead alone"]
 if alone:
     run = ours(4, 1e-3, 980)[0]

@@ -7,15 +7,11 @@ Pries and Secomb (Microvascular blood viscosity and the endothelial surface laye
 """
 
 import csv
-import glob
 import math
-import os
-import re
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from clumpSpheres import drawSpheres, frames
 from clumpTables import table
 
 BRANCHES = "right", "left"
@@ -34,17 +30,7 @@ def priesSecomb(flow, feed=FEED, diameter=DIAMETER):
     return 1/(1 + math.exp(-b*math.log(s/(1 - s))))
 
 
-def spheres(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(path)
-    reader.Update()
-    data = reader.GetOutput()
-    radii = vtk_to_numpy(data.GetPointData().GetArray("radius"))
-    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
-
-
-# There is no table before the first clump enters or leaves
-passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
+passages = table(".", "clumpPassages")
 left = {b: [r["time"] for r in passages if r["event"] == "left" and r["patch"] == b]
         for b in BRANCHES}
 entered = [r["time"] for r in passages if r["event"] == "entered"]
@@ -75,11 +61,7 @@ with open("result.csv", "w", newline="") as out:
               "haematocrit %s" % tuple(row))
 
 figure, (scene, law) = plt.subplots(1, 2, figsize=(10, 5))
-last = max(glob.glob("VTK/clumps/spheres_*.vtp"), key=lambda f: int(re.findall(r"_(\d+)\.", f)[0]))
-x, radii = spheres(last)
-for centre, radius in sorted(zip(x.tolist(), radii), key=lambda s: s[0][2]):
-    scene.add_patch(plt.Circle(centre[:2], radius, lw=0.3, ec="k",
-                               fc=plt.cm.Reds(0.45 + 0.04*centre[2])))
+drawSpheres(scene, frames()[-1][1])
 for corner in ((-25, 5), (0, 5), (0, 30)), ((-25, -5), (0, -5), (0, -30)), ((10, -30), (10, 30)):
     scene.plot(*zip(*corner), "k", lw=1.5)
 scene.annotate("", (-19, 0), (-26, 0), arrowprops={"arrowstyle": "->"})

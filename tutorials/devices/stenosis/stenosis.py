@@ -5,15 +5,11 @@ clumpShape (lengths) and VTK/clumps (the spheres). Writes result.csv and result.
 """
 
 import csv
-import glob
 import math
-import os
-import re
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from clumpSpheres import drawSpheres, frames
 from clumpTables import table
 
 VOLUME = 94             # of a red cell [um3]
@@ -27,17 +23,7 @@ def halfHeight(x):
     return 8 - 4*(1 - math.cos(math.pi*min(max(1 - abs(x - 30)/12, 0), 1)))/2
 
 
-def spheres(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(path)
-    reader.Update()
-    data = reader.GetOutput()
-    radii = vtk_to_numpy(data.GetPointData().GetArray("radius"))
-    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
-
-
-# There is no table before the first clump enters or leaves
-passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
+passages = table(".", "clumpPassages")
 left = [r["time"] for r in passages if r["event"] == "left"]
 entered = [r["time"] for r in passages if r["event"] == "entered"]
 print("%d cells have entered, %d have left, %d are inside"
@@ -64,11 +50,7 @@ with open("result.csv", "w", newline="") as out:
               % tuple(row))
 
 figure, (scene, plot) = plt.subplots(2, 1, figsize=(8, 6.5), sharex=True)
-last = max(glob.glob("VTK/clumps/spheres_*.vtp"), key=lambda f: int(re.findall(r"_(\d+)\.", f)[0]))
-x, radii = spheres(last)
-for centre, radius in sorted(zip(x.tolist(), radii), key=lambda s: s[0][2]):
-    scene.add_patch(plt.Circle(centre[:2], radius, lw=0.3, ec="k",
-                               fc=plt.cm.Reds(0.45 + 0.04*centre[2])))
+drawSpheres(scene, frames()[-1][1])
 at = [60*k/200 for k in range(201)]
 for sign in -1, 1:
     scene.plot(at, [sign*halfHeight(v) for v in at], "k", lw=1.5)

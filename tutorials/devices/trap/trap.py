@@ -5,14 +5,10 @@ VTK/clumps (the spheres). Writes result.csv and result.png.
 """
 
 import csv
-import glob
-import os
-import re
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from clumpSpheres import drawSpheres, frames
 from clumpTables import table
 
 # The trap, from constant/triSurface/trap.stl [um], and its pocket
@@ -22,17 +18,7 @@ SLOW = 0.05             # of a caught cell, to the mean velocity of the flow
 MEAN = 1e-3             # [m/s]
 
 
-def spheres(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(path)
-    reader.Update()
-    data = reader.GetOutput()
-    radii = vtk_to_numpy(data.GetPointData().GetArray("radius"))
-    return 1e6*vtk_to_numpy(data.GetPoints().GetData()), 1e6*radii
-
-
-# There is no table before the first clump enters or leaves
-passages = table(".", "clumpPassages") if os.path.isdir("postProcessing/clumpPassages") else []
+passages = table(".", "clumpPassages")
 left = [r for r in passages if r["event"] == "left"]
 entered = [r for r in passages if r["event"] == "entered"]
 print("%d cells have entered, %d have left, %d are inside"
@@ -58,11 +44,7 @@ if not caught:
     print("the trap is empty")
 
 figure, scene = plt.subplots(figsize=(9, 6))
-last = max(glob.glob("VTK/clumps/spheres_*.vtp"), key=lambda f: int(re.findall(r"_(\d+)\.", f)[0]))
-x, radii = spheres(last)
-for centre, radius in sorted(zip(x.tolist(), radii), key=lambda s: s[0][2]):
-    scene.add_patch(plt.Circle(centre[:2], radius, lw=0.3, ec="k",
-                               fc=plt.cm.Reds(0.45 + 0.04*centre[2])))
+drawSpheres(scene, frames()[-1][1])
 for sign in 1, -1:
     scene.add_patch(plt.Polygon([(a, sign*b) for a, b in POST], fc="0.6", ec="k"))
     scene.plot([0, 50], [15*sign, 15*sign], "k", lw=1.5)

@@ -7,12 +7,9 @@ Rotne-Prager mobilities miss on the undeformed ring.
 """
 
 import csv
-import glob
 import os
-import re
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+import clumpSpheres
 from slitMobility import Slit, drag
 
 mu = 1.2e-3            # Pa s, so um/s and pN go together through pN s/um^2 = Pa s
@@ -21,18 +18,8 @@ height, length, width = 50.0, 50.0, 25.0
 
 def spheres(case='.'):
     """Centres, radii [um] and clump numbers at the last time the case wrote."""
-    files = glob.glob('%s/VTK/clumps/spheres_*.vtp' % case)
-    path = max(files, key=lambda f: int(re.findall(r'_(\d+)\.vtp', f)[0]))
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(path)
-    reader.Update()
-    data = reader.GetOutput()
-    fields = data.GetPointData()
-    return (
-        1e6*vtk_to_numpy(data.GetPoints().GetData()),
-        1e6*vtk_to_numpy(fields.GetArray('radius')),
-        vtk_to_numpy(fields.GetArray('clump'))
-    )
+    s = clumpSpheres.spheres(clumpSpheres.frames(case)[-1][1])
+    return 1e6*s['x'], 1e6*s['radius'], s['clump']
 
 
 def table_value(shape, column):

@@ -126,6 +126,7 @@ void Foam::deformableCloud::gatherForces
     label index = 0;
     for (clumpParcel& parcel : *this)
     {
+        parcel.step().lastFluidForces = parcel.fluidForces();
         coupling_->takeForces(parcel, ghosts_.images()[index++]);
     }
 

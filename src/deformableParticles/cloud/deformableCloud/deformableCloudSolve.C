@@ -7,6 +7,36 @@
 
 void Foam::deformableCloud::solve(const scalar dt)
 {
+    // Those whose coupling coefficient is raised overshoot; a few times suffice
+    constexpr label most = 3;
+    for (label n = 0; n < most; ++n)
+    {
+        solveOnce(dt);
+        if (!coupled() || !adaptCoupling(dt))
+        {
+            break;
+        }
+    }
+    for (clumpParcel& p : *this)
+    {
+        p.step().change = p.step().end.u - p.step().imposedU;
+    }
+}
+
+
+bool Foam::deformableCloud::adaptCoupling(const scalar dt)
+{
+    bool raised = false;
+    for (clumpParcel& p : *this)
+    {
+        raised = coupling_->adapt(p, dt) || raised;
+    }
+    return returnReduce(raised, orOp<bool>());
+}
+
+
+void Foam::deformableCloud::solveOnce(const scalar dt)
+{
     momentum_ = clumpMomentum();
     passing_.clear();
     contactSummary_ = contactSummary();
@@ -16,6 +46,7 @@ void Foam::deformableCloud::solve(const scalar dt)
         {
             p.step().begin(p.state());
         }
+        p.step().deflated = false;
         setSteadyForces(p, dt);
         p.step().forces = p.step().steadyForces;
     }
@@ -229,9 +260,5 @@ void Foam::deformableCloud::endCorrector(const scalar dt)
         clumpStep& step = p.step();
         step.end.a = (step.end.u - step.imposedU)/dt;
         step.end.b = (step.end.w - step.imposedW)/dt;
-        if (coupled())
-        {
-            coupling_->adapt(p);
-        }
     }
 }

@@ -176,11 +176,12 @@ void Foam::ghostExchange::findShifts()
 
 void Foam::ghostExchange::findNeighbours(const scalar reach)
 {
-    // Widened, so that this need not be repeated when a clump stretches
     if (reach_ <= 0 && reach > 0)
     {
         checkPatches(mesh_.boundaryMesh());
     }
+
+    // Widened, so that this need not be repeated when a clump stretches
     reach_ = 1.5*reach;
     neighbours_.clear();
     ++nSearches_;

@@ -31,7 +31,7 @@ bool Foam::contactStep::resume
      || search_.dt != dt
      || search_.betweenClumps != betweenClumps
      || search_.atWalls != atWalls
-     || search_.acrossGaps != (gaps_.active(false) || gaps_.active(true))
+     || search_.acrossGaps != gaps_.active(false)
     )
     {
         return false;
@@ -65,7 +65,7 @@ void Foam::contactStep::find
     touches_.clear();
     search_.betweenClumps = betweenClumps;
     search_.atWalls = false;
-    search_.acrossGaps = gaps_.active(false) || gaps_.active(true);
+    search_.acrossGaps = gaps_.active(false);
 
     setCellWidths();
     setImages(betweenClumps);
@@ -133,7 +133,7 @@ void Foam::contactStep::setCellWidths()
 {
     range_ = 0;
     cellWidths_ = scalarList(clumps_.size(), Zero);
-    if (!gaps_.active(false) && !gaps_.active(true))
+    if (!gaps_.active(false))
     {
         return;
     }
@@ -149,7 +149,7 @@ void Foam::contactStep::setCellWidths()
 
 void Foam::contactStep::setRanges()
 {
-    if (!gaps_.active(false) && !gaps_.active(true))
+    if (!gaps_.active(false))
     {
         return;
     }

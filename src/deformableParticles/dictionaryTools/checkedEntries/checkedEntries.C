@@ -335,3 +335,16 @@ Foam::label Foam::getNumber
 {
     return between(dict, key, low, high);
 }
+
+
+Foam::label Foam::getNumberOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const label low,
+    const label high,
+    const label value
+)
+{
+    return dict.found(key) ? between(dict, key, low, high) : value;
+}

@@ -85,20 +85,25 @@ Foam::scalarField Foam::couplingIteration::unknowns
 }
 
 
+Foam::scalar Foam::couplingIteration::power(const scalarField& x) const
+{
+    // The level of p is no part of it, even where a patch fixes it
+    const scalarField scale(pressureScale(flow_.nu()));
+    const SubField<scalar> p(x, p0_.size());
+    const scalar level = gSumProd(p, scale)/gSumSqr(scale);
+
+    return gSumSqr(x) - sqr(level)*gSumSqr(scale);
+}
+
+
 Foam::scalar Foam::couplingIteration::residual
 (
     const scalarField& x,
     const scalarField& r
 ) const
 {
-    // The level of p is no part of the power, even where a patch fixes it
-    const label nCells = p0_.size();
-    const scalarField scale(pressureScale(flow_.nu()));
-    const SubField<scalar> p(x, nCells);
-    const scalar level = gSumProd(p, scale)/gSumSqr(scale);
-    const scalar power = gSumSqr(x) - sqr(level)*gSumSqr(scale);
-
-    return Foam::sqrt(gSumSqr(r)/max(power, VSMALL));
+    // From rest the change is all there is
+    return Foam::sqrt(gSumSqr(r)/max(max(power(x), power(x + r)), VSMALL));
 }
 
 

@@ -203,7 +203,7 @@ void Foam::fluidCoupling::addForces
 
 void Foam::fluidCoupling::deflate
 (
-    const clumpParcel& p,
+    clumpParcel& p,
     const scalar dt,
     externalForces& ext
 ) const
@@ -212,6 +212,7 @@ void Foam::fluidCoupling::deflate
     {
         return;
     }
+    p.step().deflated = true;
     const clumpType& type = types_[p.typeId()];
     scalarField z(ext.zeta), zR(ext.zetaR);
     const scalar noInertia = 0;
@@ -244,15 +245,16 @@ bool Foam::fluidCoupling::turn(clumpParcel& p, const scalar dt) const
 }
 
 
-void Foam::fluidCoupling::adapt(clumpParcel& p) const
+bool Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
 {
     clumpStep& step = p.step();
     const vectorField& u = step.end.u;
     const vectorField now(u - step.imposedU);
     const vectorField& last = step.change;
+    const bool reverses = sum(now & last) < 0;
 
     const bool overshoots =
-        sum(now & last) < 0
+        reverses
      && sum(magSqr(now)) > sum(magSqr(last))
      && sum(magSqr(now)) > 1e-6*sum(magSqr(u));
 
@@ -261,16 +263,62 @@ void Foam::fluidCoupling::adapt(clumpParcel& p) const
     const bool unstable =
         p.overshoots() > 1
      || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(u)));
-    step.change = now;
 
     scalar& factor = p.couplingFactor();
     step.needsShorterStep =
         unstable && !(scheme_->damps() && factor < maxFactor);
-    if (scheme_->damps())
+    if (!scheme_->damps())
     {
-        step.raised = step.raised || unstable;
-        factor = unstable ? min(2*factor, maxFactor) : max(0.98*factor, 1.0);
+        return false;
     }
+    const scalar raise = unstable ? neededRaise(p, dt) : 1;
+    if (raise > 1 && factor < maxFactor)
+    {
+        factor = min(raise*factor, maxFactor);
+        step.raised = true;
+        return true;
+    }
+    if (!reverses)
+    {
+        factor = max(0.98*factor, 1.0);
+    }
+    return false;
+}
+
+
+Foam::scalar Foam::fluidCoupling::neededRaise
+(
+    const clumpParcel& p,
+    const scalar dt
+) const
+{
+    const clumpType& type = types_[p.typeId()];
+    const clumpStep& step = p.step();
+    const vectorField& d = step.change;
+
+    const scalar noInertia = 0;
+    scalarField z, zR;
+    scheme_->coefficients
+    (
+        type, p.couplingFactor()*mu_, noInertia, dt, z, zR
+    );
+    const scalarField dd(magSqr(d));
+    const scalar ofFluidInside =
+        boundary_->addsInteriorInertia()
+      ? step.presence*rho_*sum(type.volumes()*dd)/dt
+      : 0;
+    const scalar inertia = sum(type.masses()*dd)/dt + ofFluidInside;
+    const scalar share =
+        step.deflated ? deflations_[p.typeId()].translation() : 1;
+    const scalar viscous = max(share*sum(z*dd), VSMALL);
+    const scalar fluid =
+        sum((step.lastFluidForces - p.fluidForces()) & d) - ofFluidInside;
+
+    const scalar ratio = fluid/(inertia + viscous);
+    return
+        ratio > 1.5
+      ? min(ratio + (ratio - 1)*inertia/viscous, maxRaise)
+      : 1;
 }
 
 

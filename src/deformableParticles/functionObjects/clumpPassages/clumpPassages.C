@@ -59,11 +59,12 @@ bool Foam::functionObjects::clumpPassages::execute()
 {
     const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
     const clumpCount& count = cloud.count();
-    if (!Pstream::master() || count.passages().empty())
+    if (!Pstream::master())
     {
         return true;
     }
 
+    // There is a table, if only with the names of its columns, before the first clump passes
     Ostream& os = table_.open(header());
     for (const clumpPassage& p : count.passages())
     {

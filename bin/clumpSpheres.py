@@ -1,0 +1,48 @@
+"""Reads the spheres that the function object vtkClumps has written to VTK/clumps.
+
+    from clumpSpheres import frames, spheres, drawSpheres
+    time, path = frames("case")[-1]
+    s = spheres(path)
+    s["x"], s["radius"], s["U"]         # arrays, one row per sphere, SI units
+"""
+
+import json
+import os
+import sys
+
+
+def frames(case="."):
+    """The times that were written [s] and their files."""
+    folder = os.path.join(case, "VTK", "clumps")
+    series = os.path.join(folder, "spheres.vtp.series")
+    if not os.path.exists(series):
+        sys.exit(f"There is no {series}; the function object vtkClumps writes it")
+    with open(series) as file:
+        return [(f["time"], os.path.join(folder, f["name"])) for f in json.load(file)["files"]]
+
+
+def spheres(path):
+    """Centres `x` and every array of a file by name, without rows where there are no spheres."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data, point = reader.GetOutput(), reader.GetOutput().GetPointData()
+    result = {point.GetArrayName(k): vtk_to_numpy(point.GetArray(k))
+              for k in range(point.GetNumberOfArrays())}
+    result["x"] = result["radius"].reshape(-1, 1)[:, []] if not data.GetNumberOfPoints() \
+        else vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    return result
+
+
+def drawSpheres(axes, path):
+    """Draws the spheres of a file in um as they are seen along z, the lower ones lighter."""
+    import matplotlib.pyplot as plt
+    s = spheres(path)
+    if not len(s["x"]):
+        return
+    height = 1e6*s["x"][:, 2]
+    for k in height.argsort():
+        axes.add_patch(plt.Circle(1e6*s["x"][k, :2], 1e6*s["radius"][k], lw=0.3, ec="k",
+                                  fc=plt.cm.Reds(0.45 + 0.04*(height[k] - height.min()))))

@@ -29,6 +29,7 @@ TYPES = {
     "getNumber": "label", "getPositive": "scalar", "getNonNegative": "scalar",
     "getBetween": "scalar", "direction": "vector", "getDict": "dictionary",
     "getPositiveOrDefault": "scalar", "getNonNegativeOrDefault": "scalar",
+    "getNumberOrDefault": "label",
     "bool": "switch", "Switch": "switch", "point": "vector", "labelVector": "vector",
     "labelList": "labels", "scalarField": "scalars", "vectorField": "vectors",
 }

@@ -341,9 +341,9 @@ Foam::label Foam::getNumberOrDefault
 (
     const dictionary& dict,
     const word& key,
+    const label value,
     const label low,
-    const label high,
-    const label value
+    const label high
 )
 {
     return dict.found(key) ? between(dict, key, low, high) : value;

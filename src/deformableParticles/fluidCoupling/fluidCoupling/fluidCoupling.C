@@ -271,12 +271,16 @@ bool Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
     {
         return false;
     }
-    const scalar raise = unstable ? neededRaise(p, dt) : 1;
-    if (raise > 1 && factor < maxFactor)
+    if (unstable && factor < maxFactor)
     {
-        factor = min(raise*factor, maxFactor);
-        step.raised = true;
-        return true;
+        bool sure = p.overshoots() > 1;
+        const scalar needed = neededRaise(p, dt, sure);
+        if (needed > 1)
+        {
+            factor = min((sure ? needed : min(needed, 2.0))*factor, maxFactor);
+            step.raised = true;
+            return sure;
+        }
     }
     if (!reverses)
     {
@@ -289,7 +293,8 @@ bool Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
 Foam::scalar Foam::fluidCoupling::neededRaise
 (
     const clumpParcel& p,
-    const scalar dt
+    const scalar dt,
+    bool& sure
 ) const
 {
     const clumpType& type = types_[p.typeId()];
@@ -314,11 +319,19 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     const scalar fluid =
         sum((step.lastFluidForces - p.fluidForces()) & d) - ofFluidInside;
 
-    const scalar ratio = fluid/(inertia + viscous);
-    return
-        ratio > 1.5
-      ? min(ratio + (ratio - 1)*inertia/viscous, maxRaise)
-      : 1;
+    const scalar q = fluid/(inertia + viscous);
+    if (q <= 1.5)
+    {
+        return 1;
+    }
+    const vectorField now(step.end.u - step.imposedU);
+    const scalar growth = -sum(now & d)/max(sum(dd), VSMALL);
+    const bool explains = 1 + growth > 0.5*q && 1 + growth < 2*q;
+    const bool moved = sum(magSqr(p.state().a)) > 0;
+    sure =
+        sure || (explains && moved && sum(dd) > 1e-4*sum(magSqr(step.end.u)));
+
+    return min(q + (q - 1)*inertia/viscous, maxRaise);
 }
 
 

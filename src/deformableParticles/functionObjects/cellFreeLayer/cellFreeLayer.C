@@ -35,7 +35,7 @@ bool Foam::functionObjects::cellFreeLayer::read(const dictionary& dict)
 {
     const bool good = suspensionTable::read(dict);
     section_ = crossSection(dict, axes(), mesh_);
-    nStations_ = getNumberOrDefault(dict, "stations", 1, 1000000, 100);
+    nStations_ = getNumberOrDefault(dict, "stations", 100, 1, 1000000);
     return good;
 }
 

@@ -36,7 +36,7 @@ bool Foam::functionObjects::clumpProfiles::read(const dictionary& dict)
 {
     const bool good = suspensionTable::read(dict);
     section_ = crossSection(dict, axes(), mesh_);
-    nBins_ = getNumberOrDefault(dict, "bins", 1, 10000, 10);
+    nBins_ = getNumberOrDefault(dict, "bins", 10, 1, 10000);
     return good;
 }
 

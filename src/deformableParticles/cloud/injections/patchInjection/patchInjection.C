@@ -46,7 +46,7 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
     byFlux_(readWeighting(dict)),
     nTries_
     (
-        getNumberOrDefault(dict, "nTries", 1, 100000, 100)
+        getNumberOrDefault(dict, "nTries", 100, 1, 100000)
     ),
     turned_(dict.found("axis") || dict.found("angle")),
     turn_(givenRotation(dict)),

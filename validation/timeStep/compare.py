@@ -76,7 +76,7 @@ def limits(row):
     """In position, angle and drift, of the runs that have some."""
     if row["scene"] == "shear" and row["settings"] == "longTight":
         return 0.5, 0.5, 1
-    if row["scene"] == "shear for 0.1 s" and row["settings"] == "long":
+    if row["scene"] == "shear for 0.1 s" and row["settings"] in ("long", "longTight"):
         return 0.5, 0.5, 0.3
     return None
 

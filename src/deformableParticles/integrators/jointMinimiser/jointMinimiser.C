@@ -7,6 +7,13 @@
 #include "newtonMinimiser.H"
 #include "PstreamReduceOps.H"
 
+namespace
+{
+    //- Largest displacement, in sphere radii, after which a tangent is still used
+    constexpr Foam::scalar sameTangent = 1e-3;
+}
+
+
 Foam::jointMinimiser::jointMinimiser
 (
     clumpInteraction& group,
@@ -21,7 +28,8 @@ Foam::jointMinimiser::jointMinimiser
     potentials_(group.members().size()),
     tangents_(potentials_.size()),
     sums_(Zero),
-    moves_(potentials_.size(), true),
+    contacts_(potentials_.size()),
+    stale_(potentials_.size(), true),
     nSolves_(0),
     lastStep_(0)
 {
@@ -58,12 +66,9 @@ Foam::scalar Foam::jointMinimiser::dot
 ) const
 {
     scalar sum = 0;
-    forAll(moves_, m)
+    forAll(potentials_, m)
     {
-        if (moves_[m])
-        {
-            sum += a[m].dot(b[m]);
-        }
+        sum += a[m].dot(b[m]);
     }
     return returnReduce(sum, sumOp<scalar>());
 }
@@ -76,10 +81,35 @@ void Foam::jointMinimiser::evaluate()
     sums_ = Zero;
     forAll(potentials_, m)
     {
-        sums_.x() += potentials_[m].value(state(m), &g_[m]);
-        sums_.y() += sqr(newtonMinimiser::size(type(m), g_[m]));
+        const scalar W = potentials_[m].value(state(m), &g_[m]);
+        sums_ += vector(W, sqr(newtonMinimiser::size(type(m), g_[m])), mag(W));
     }
-    reduce(sums_, sumOp<vector2D>());
+    reduce(sums_, sumOp<vector>());
+}
+
+
+void Foam::jointMinimiser::updateTangent(const label m)
+{
+    const symmTensorField contacts(group_.stiffness(m));
+    scalar largest = 0;
+    scalar change = stale_[m] ? GREAT : 0;
+    forAll(contacts, i)
+    {
+        largest = max(largest, mag(contacts[i]));
+        if (!stale_[m])
+        {
+            change = max(change, mag(contacts[i] - contacts_[m][i]));
+        }
+    }
+    if (change > 0.01*largest)
+    {
+        newtonMinimiser::factorise
+        (
+            potentials_[m], state(m), 0, true, g_[m], tangents_[m]
+        );
+        contacts_[m] = contacts;
+        stale_[m] = false;
+    }
 }
 
 
@@ -88,36 +118,26 @@ bool Foam::jointMinimiser::factorise()
     bool any = false;
     forAll(tangents_, m)
     {
-        newtonMinimiser::factorise
-        (
-            potentials_[m], state(m), 0, true, g_[m], tangents_[m]
-        );
+        updateTangent(m);
         r_[m] = -g_[m];
         z_[m] = r_[m];
         tangents_[m].solve(z_[m]);
 
-        moves_[m] = newtonMinimiser::largest(type(m), z_[m]) > tolerance_;
-        any = any || moves_[m];
-        nSolves_ += moves_[m] ? 1 : 0;
+        any = any || newtonMinimiser::largest(type(m), z_[m]) > tolerance_;
         d_[m].setZero();
-        if (moves_[m])
-        {
-            p_[m] = z_[m];
-            Kp_[m] = r_[m];
-        }
-        else
-        {
-            p_[m].setZero();
-        }
+        p_[m] = z_[m];
+        Kp_[m] = r_[m];
     }
+    nSolves_ += tangents_.size();
     return returnReduce(any, orOp<bool>());
 }
 
 
 void Foam::jointMinimiser::findStep()
 {
-    // Energy of the step that remains, relative to that of the first
-    const scalar remains = 1e-10;
+    // Energy of the step that remains, relative to that of the first: a hundredth of the
+    // step, as with a tangent that is kept
+    const scalar remains = 1e-4;
     const label maxDirections = 200;
 
     const scalar first = dot(r_, z_);
@@ -139,15 +159,12 @@ void Foam::jointMinimiser::findStep()
             return;
         }
         const scalar a = rz/curvature;
-        forAll(moves_, m)
+        forAll(tangents_, m)
         {
-            if (moves_[m])
-            {
-                d_[m] += a*p_[m];
-                r_[m] -= a*Ap[m];
-                z_[m] = r_[m];
-                tangents_[m].solve(z_[m]);
-            }
+            d_[m] += a*p_[m];
+            r_[m] -= a*Ap[m];
+            z_[m] = r_[m];
+            tangents_[m].solve(z_[m]);
         }
         const scalar next = dot(r_, z_);
         if (next <= remains*first)
@@ -156,13 +173,10 @@ void Foam::jointMinimiser::findStep()
         }
         const scalar b = next/rz;
         rz = next;
-        forAll(moves_, m)
+        forAll(tangents_, m)
         {
-            if (moves_[m])
-            {
-                p_[m] = z_[m] + b*p_[m];
-                Kp_[m] = r_[m] + b*Kp_[m];
-            }
+            p_[m] = z_[m] + b*p_[m];
+            Kp_[m] = r_[m] + b*Kp_[m];
         }
     }
 }
@@ -175,12 +189,9 @@ void Foam::jointMinimiser::takeStep()
     {
         before[m].x = state(m).x;
         before[m].q = state(m).q;
-        if (!moves_[m])
-        {
-            d_[m].setZero();
-        }
     }
-    const vector2D sums0(sums_);
+    const vector sums0(sums_);
+    const scalar rounding = 1e-10*sums0.z();
     const scalar slope0 = mag(dot(g_, d_));
 
     // A contact that begins is not in the tangent: where the step goes too far, the
@@ -194,14 +205,12 @@ void Foam::jointMinimiser::takeStep()
         lastStep_ = 0;
         forAll(before, m)
         {
-            lastStep_ = max
+            const scalar moved = newtonMinimiser::moveBy
             (
-                lastStep_,
-                newtonMinimiser::moveBy
-                (
-                    type(m), before[m], d_[m], part, state(m)
-                )
+                type(m), before[m], d_[m], part, state(m)
             );
+            stale_[m] = stale_[m] || moved > sameTangent;
+            lastStep_ = max(lastStep_, moved);
         }
         reduce(lastStep_, maxOp<scalar>());
         evaluate();
@@ -215,7 +224,7 @@ void Foam::jointMinimiser::takeStep()
              && (attempt == 0 || attempt > 30 || mag(slope) < 0.5*slope0)
             )
          || lastStep_ <= tolerance_
-         || (lastStep_ < 1e-3 && sums_.y() < sums0.y())
+         || (sums_.x() <= sums0.x() + rounding && sums_.y() < sums0.y())
         )
         {
             return;

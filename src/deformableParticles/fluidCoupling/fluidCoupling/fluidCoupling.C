@@ -328,8 +328,14 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     const scalar growth = -sum(now & d)/max(sum(dd), VSMALL);
     const bool explains = 1 + growth > 0.5*q && 1 + growth < 2*q;
     const bool moved = sum(magSqr(p.state().a)) > 0;
+    const bool asAWhole =
+        now.size()*magSqr(average(now)) > 0.5*sum(magSqr(now));
     sure =
-        sure || (explains && moved && sum(dd) > 1e-4*sum(magSqr(step.end.u)));
+        sure
+     || (
+            explains && moved && asAWhole
+         && sum(dd) > 1e-4*sum(magSqr(step.end.u))
+        );
 
     return min(q + (q - 1)*inertia/viscous, maxRaise);
 }

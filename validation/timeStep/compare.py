@@ -1,13 +1,13 @@
 """A red blood cell in shear over the time step and the number of outer correctors: position, angle
 and drift against the converged run; the direction in which a cell beside a wall drifts."""
 
-from math import pi
+from math import log, pi
 
 from results import Results, plt, read, save
 
 # Length of the domain [m]
 periods = {scene: 45e-6 for scene in
-           ("shear", "shear for 0.1 s", "fast shear", "refined mesh", "32 cells")}
+           ("shear", "order", "shear for 0.1 s", "fast shear", "refined mesh", "32 cells")}
 periods["tube"] = 40e-6
 middle = 11.25e-6
 
@@ -87,7 +87,30 @@ known = {(1e-3, 2): (0.720519, -0.407682), (1e-3, 10): (0.690394, -0.445734),
          (2e-3, 2): (1.54485, -0.653116)}
 knownTube = {1: 0.515079, 2: 0.397923, 10: 0.463592}
 
+
+def order(converged):
+    """Differences to the finest step, and the order of convergence from one step to the next."""
+    if not converged:
+        return
+    converged = sorted(converged, key=lambda run: -run.row["deltaT_s"])
+    finest, last = converged[-1], None
+    for run in converged[:-1]:
+        off = run.misses(finest)[:2]
+        step = run.row["deltaT_s"]
+        text = f"converged, step {step:g} s against {finest.row['deltaT_s']:g} s"
+        for what, value in zip(("position over the path", "angle"), off):
+            results.report(f"{text}: {what}", value, "%", "finest step")
+        if last:
+            for what, mine, its in zip(("position", "angle"), off, last[1]):
+                # The finest step has an error, too, which raises the order of the last steps
+                results.report(f"{text}: order of the {what}", log(its/mine)/log(last[0]/step), "",
+                               "1 is first order")
+        last = step, off
+
+
 everything = [Run(r) for r in runs]
+order([run for run in everything if run.row["scene"] == "order"])
+everything = [run for run in everything if run.row["scene"] != "order"]
 reference = {r.key(): r for r in everything if r.row["settings"] == "reference"}
 
 print("path [um], y [um], angle, drift [um/s]; off by % of the path, % of the angle, um/s; "

@@ -18,7 +18,10 @@ def frames(case="."):
     if not os.path.exists(series):
         sys.exit(f"There is no {series}; the function object vtkClumps writes it")
     with open(series) as file:
-        return [(f["time"], os.path.join(folder, f["name"])) for f in json.load(file)["files"]]
+        result = [(f["time"], os.path.join(folder, f["name"])) for f in json.load(file)["files"]]
+    if not result:
+        sys.exit(f"There is no time in {series}")
+    return result
 
 
 def spheres(path):

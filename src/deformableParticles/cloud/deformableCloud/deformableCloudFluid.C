@@ -16,6 +16,7 @@ void Foam::deformableCloud::immerse
     {
         p.step().begin(p.state());
         p.step().change = mesh_.time().deltaT0Value()*p.state().a;
+        p.step().imposedChange = p.step().change;
     }
     updateGhosts();
 
@@ -101,6 +102,7 @@ void Foam::deformableCloud::imposeEnd()
     label index = 0;
     for (clumpParcel& p : *this)
     {
+        p.step().imposedChange = p.step().end.u - p.step().imposedU;
         p.step().imposedU = p.step().end.u;
         p.step().imposedW = p.step().end.w;
         setVelocities(p, ghosts_.images()[index++]);

@@ -7,12 +7,17 @@
 
 void Foam::deformableCloud::solve(const scalar dt)
 {
+    for (clumpParcel& p : *this)
+    {
+        p.step().overshootsBefore = p.overshoots();
+    }
+
     // Those whose coupling coefficient is raised overshoot; a few times suffice
     constexpr label most = 3;
     for (label n = 0; n < most; ++n)
     {
         solveOnce(dt);
-        if (!coupled() || !adaptCoupling(dt))
+        if (!coupled() || !adaptCoupling(dt, n > 0))
         {
             break;
         }
@@ -24,14 +29,18 @@ void Foam::deformableCloud::solve(const scalar dt)
 }
 
 
-bool Foam::deformableCloud::adaptCoupling(const scalar dt)
+bool Foam::deformableCloud::adaptCoupling
+(
+    const scalar dt,
+    const bool repeated
+)
 {
-    bool raised = false;
+    bool again = false;
     for (clumpParcel& p : *this)
     {
-        raised = coupling_->adapt(p, dt) || raised;
+        again = coupling_->adapt(p, dt, repeated) || again;
     }
-    return returnReduce(raised, orOp<bool>());
+    return returnReduce(again, orOp<bool>());
 }
 
 
@@ -47,6 +56,11 @@ void Foam::deformableCloud::solveOnce(const scalar dt)
             p.step().begin(p.state());
         }
         p.step().deflated = false;
+        if (p.step().guessed)
+        {
+            // Bonds that broke in a solution that was not accepted
+            p.step().end.broken = p.state().broken;
+        }
         setSteadyForces(p, dt);
         p.step().forces = p.step().steadyForces;
     }

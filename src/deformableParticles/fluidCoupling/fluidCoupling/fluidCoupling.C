@@ -240,12 +240,18 @@ bool Foam::fluidCoupling::turn(clumpParcel& p, const scalar dt) const
     const tensor R(rotation(dt*s.angularVelocity(type)).R());
 
     p.step().imposedU = velocity + (R & (s.u - velocity));
+    p.step().imposedChange += p.step().imposedU - s.u;
     p.step().imposedW = R & s.w;
     return true;
 }
 
 
-bool Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
+bool Foam::fluidCoupling::adapt
+(
+    clumpParcel& p,
+    const scalar dt,
+    const bool repeated
+) const
 {
     clumpStep& step = p.step();
     const vectorField& u = step.end.u;
@@ -259,7 +265,7 @@ bool Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
      && sum(magSqr(now)) > 1e-6*sum(magSqr(u));
 
     // A single one may be the change of an acceleration's sign, if small
-    p.overshoots() = overshoots ? p.overshoots() + 1 : 0;
+    p.overshoots() = overshoots ? step.overshootsBefore + 1 : 0;
     const bool unstable =
         p.overshoots() > 1
      || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(u)));
@@ -273,16 +279,18 @@ bool Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
     }
     if (unstable && factor < maxFactor)
     {
+        const bool persists = p.overshoots() > 4;
         bool sure = p.overshoots() > 1;
-        const scalar needed = neededRaise(p, dt, sure);
-        if (needed > 1)
+        const scalar needed =
+            max(neededRaise(p, dt, sure), scalar(persists ? 2 : 1));
+        if (needed > 1 && (sure || !repeated))
         {
             factor = min((sure ? needed : min(needed, 2.0))*factor, maxFactor);
             step.raised = true;
             return sure;
         }
     }
-    if (!reverses)
+    if (!reverses && !repeated)
     {
         factor = max(0.98*factor, 1.0);
     }
@@ -299,7 +307,7 @@ Foam::scalar Foam::fluidCoupling::neededRaise
 {
     const clumpType& type = types_[p.typeId()];
     const clumpStep& step = p.step();
-    const vectorField& d = step.change;
+    const vectorField& d = step.imposedChange;
 
     const scalar noInertia = 0;
     scalarField z, zR;
@@ -308,25 +316,24 @@ Foam::scalar Foam::fluidCoupling::neededRaise
         type, p.couplingFactor()*mu_, noInertia, dt, z, zR
     );
     const scalarField dd(magSqr(d));
-    const scalar ofFluidInside =
-        boundary_->addsInteriorInertia()
-      ? step.presence*rho_*sum(type.volumes()*dd)/dt
-      : 0;
-    const scalar inertia = sum(type.masses()*dd)/dt + ofFluidInside;
+    const scalar own = sum(type.masses()*dd)/dt;
+    const scalar inside = rho_*sum(type.volumes()*dd)/dt;
+    const scalar inertia = own + inside;
     const scalar share =
         step.deflated ? deflations_[p.typeId()].translation() : 1;
     const scalar viscous = max(share*sum(z*dd), VSMALL);
     const scalar fluid =
-        sum((step.lastFluidForces - p.fluidForces()) & d) - ofFluidInside;
+        sum((step.lastFluidForces - p.fluidForces()) & d)
+      - (boundary_->addsInteriorInertia() ? step.presence*inside : 0);
 
-    const scalar q = fluid/(inertia + viscous);
+    const scalar q = (own + fluid)/max(inertia + viscous, VSMALL);
     if (q <= 1.5)
     {
         return 1;
     }
     const vectorField now(step.end.u - step.imposedU);
     const scalar growth = -sum(now & d)/max(sum(dd), VSMALL);
-    const bool explains = 1 + growth > 0.5*q && 1 + growth < 2*q;
+    const bool explains = growth > 0.5*(q - 1) && growth < 2*(q - 1);
     const bool moved = sum(magSqr(p.state().a)) > 0;
     const bool asAWhole =
         now.size()*magSqr(average(now)) > 0.5*sum(magSqr(now));

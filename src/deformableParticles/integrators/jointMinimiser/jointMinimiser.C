@@ -29,7 +29,8 @@ Foam::jointMinimiser::jointMinimiser
     tangents_(potentials_.size()),
     sums_(Zero),
     contacts_(potentials_.size()),
-    stale_(potentials_.size(), true),
+    sinceThen_(potentials_.size()),
+    moved_(potentials_.size(), GREAT),
     nSolves_(0),
     lastStep_(0)
 {
@@ -91,25 +92,27 @@ void Foam::jointMinimiser::evaluate()
 void Foam::jointMinimiser::updateTangent(const label m)
 {
     const symmTensorField contacts(group_.stiffness(m));
-    scalar largest = 0;
-    scalar change = stale_[m] ? GREAT : 0;
-    forAll(contacts, i)
+    bool stale = moved_[m] > sameTangent;
+    if (!stale)
     {
-        largest = max(largest, mag(contacts[i]));
-        if (!stale_[m])
+        scalar largest = 0, change = 0;
+        forAll(contacts, i)
         {
+            largest = max(largest, mag(contacts[i]));
             change = max(change, mag(contacts[i] - contacts_[m][i]));
         }
+        stale = change > 0.01*largest;
     }
-    if (change > 0.01*largest)
+    if (stale)
     {
         newtonMinimiser::factorise
         (
             potentials_[m], state(m), 0, true, g_[m], tangents_[m]
         );
         contacts_[m] = contacts;
-        stale_[m] = false;
+        moved_[m] = 0;
     }
+    sinceThen_[m] = contacts - contacts_[m];
 }
 
 
@@ -133,6 +136,24 @@ bool Foam::jointMinimiser::factorise()
 }
 
 
+void Foam::jointMinimiser::addSinceThen(const motions& p, motions& Ap) const
+{
+    forAll(sinceThen_, m)
+    {
+        forAll(sinceThen_[m], i)
+        {
+            const auto move = p[m].segment<3>(6*i);
+            const vector force
+            (
+                sinceThen_[m][i] & vector(move.x(), move.y(), move.z())
+            );
+            Ap[m].segment<3>(6*i) +=
+                Eigen::Vector3d(force.x(), force.y(), force.z());
+        }
+    }
+}
+
+
 void Foam::jointMinimiser::findStep()
 {
     // Energy of the step that remains, relative to that of the first: a hundredth of the
@@ -148,6 +169,7 @@ void Foam::jointMinimiser::findStep()
     {
         Ap = Kp_;
         group_.couple(p_, Ap);
+        addSinceThen(p_, Ap);
         const scalar curvature = dot(p_, Ap);
 
         if (curvature <= SMALL*rz)
@@ -200,6 +222,7 @@ void Foam::jointMinimiser::takeStep()
     scalar high = group_.passable(d_);
     scalar part = high;
 
+    const scalarList movedBefore(moved_);
     for (label attempt = 0; attempt < 60; ++attempt)
     {
         lastStep_ = 0;
@@ -209,13 +232,14 @@ void Foam::jointMinimiser::takeStep()
             (
                 type(m), before[m], d_[m], part, state(m)
             );
-            stale_[m] = stale_[m] || moved > sameTangent;
+            moved_[m] = movedBefore[m] + moved;
             lastStep_ = max(lastStep_, moved);
         }
         reduce(lastStep_, maxOp<scalar>());
         evaluate();
 
-        // As in newtonMinimiser, for the sum over all clumps
+        // Close to the minimum the sum no longer changes but by rounding, while its
+        // gradient still does
         const scalar slope = dot(g_, d_);
         if
         (

@@ -26,6 +26,7 @@ def frames(case="."):
 
 def spheres(path):
     """Centres `x` and every array of a file by name, without rows where there are no spheres."""
+    import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     reader = vtkXMLPolyDataReader()
@@ -34,8 +35,8 @@ def spheres(path):
     data, point = reader.GetOutput(), reader.GetOutput().GetPointData()
     result = {point.GetArrayName(k): vtk_to_numpy(point.GetArray(k))
               for k in range(point.GetNumberOfArrays())}
-    result["x"] = result["radius"].reshape(-1, 1)[:, []] if not data.GetNumberOfPoints() \
-        else vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    result["x"] = vtk_to_numpy(data.GetPoints().GetData()).astype(float) \
+        if data.GetNumberOfPoints() else np.empty((0, 3))
     return result
 
 

@@ -7,6 +7,29 @@
 #include "bondFrame.H"
 #include "IOdictionary.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Coefficients of a scheme without the inertia of the fluid inside
+void viscous
+(
+    const couplingScheme& scheme,
+    const clumpType& type,
+    const scalar mu,
+    const scalar dt,
+    scalarField& z,
+    scalarField& zR
+)
+{
+    const scalar noInertia = 0;
+    scheme.coefficients(type, mu, noInertia, dt, z, zR);
+}
+
+}
+
+
 Foam::fluidCoupling::fluidCoupling
 (
     const fvMesh& mesh,
@@ -215,11 +238,7 @@ void Foam::fluidCoupling::deflate
     p.step().deflated = true;
     const clumpType& type = types_[p.typeId()];
     scalarField z(ext.zeta), zR(ext.zetaR);
-    const scalar noInertia = 0;
-    scheme_->coefficients
-    (
-        type, p.couplingFactor()*mu_, noInertia, dt, z, zR
-    );
+    viscous(*scheme_, type, p.couplingFactor()*mu_, dt, z, zR);
     const clumpStep& step = p.step();
     deflations_[p.typeId()].shift
     (
@@ -309,24 +328,20 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     const clumpStep& step = p.step();
     const vectorField& d = step.imposedChange;
 
-    const scalar noInertia = 0;
     scalarField z, zR;
-    scheme_->coefficients
-    (
-        type, p.couplingFactor()*mu_, noInertia, dt, z, zR
-    );
+    viscous(*scheme_, type, p.couplingFactor()*mu_, dt, z, zR);
     const scalarField dd(magSqr(d));
     const scalar own = sum(type.masses()*dd)/dt;
     const scalar inside = rho_*sum(type.volumes()*dd)/dt;
     const scalar inertia = own + inside;
     const scalar share =
         step.deflated ? deflations_[p.typeId()].translation() : 1;
-    const scalar viscous = max(share*sum(z*dd), VSMALL);
+    const scalar ofViscosity = max(share*sum(z*dd), VSMALL);
     const scalar fluid =
         sum((step.lastFluidForces - p.fluidForces()) & d)
       - (boundary_->addsInteriorInertia() ? step.presence*inside : 0);
 
-    const scalar q = (own + fluid)/max(inertia + viscous, VSMALL);
+    const scalar q = (own + fluid)/max(inertia + ofViscosity, VSMALL);
     if (q <= 1.5)
     {
         return 1;
@@ -344,7 +359,7 @@ Foam::scalar Foam::fluidCoupling::neededRaise
          && sum(dd) > 1e-4*sum(magSqr(step.end.u))
         );
 
-    return min(q + (q - 1)*inertia/viscous, maxRaise);
+    return min(q + (q - 1)*inertia/ofViscosity, maxRaise);
 }
 
 

@@ -7,6 +7,7 @@ runs = read("data.csv")
 fits = read(find("reference/bulk_viscosity_vs_shear.csv"))
 results = Results()
 RADIUS = 3.91e-6        # of a red cell [m]
+VOLUME = 30e-6*20e-6*20e-6  # of the box [m3]
 
 # Misses that the README explains: (H, rate): value
 KNOWN = {}
@@ -39,6 +40,8 @@ for run in main:
                    run["diffusion_m2_s"]/(run["rate"]*RADIUS**2), "-", "clumpDiffusion.py")
     results.add(f"{name}: deepest overlap", run["overlap"], "sphere radii", 0, 0.05,
                 "mean over time of the deepest")
+    results.add(f"{name}: change of the mean volume of the cells",
+                100*(run["phi"]*VOLUME/(run["cells"]*94e-18) - 1), "%", 0, 1, "cells at rest")
     results.add(f"{name}: cells lost", run["cells"] - run["left"], "-", 0, 0, "none may be")
     results.report(f"{name}: processor time",
                    run["seconds"]/run["cells"]/(1e3*run["strain"]/run["rate"]),

@@ -5,6 +5,7 @@
 
 #include "catch2/catch.hpp"
 #include "testCase.H"
+#include "compression.H"
 #include "enclosedArea.H"
 #include "mathematicalConstants.H"
 #include "enclosedVolume.H"
@@ -232,4 +233,95 @@ TEST_CASE("conservation: a squeezed ring keeps the volume of its union", "[conse
     const scalar held = change("type unionVolume; volumeModulus 1e4;");
     CHECK(loose > 0.02);
     CHECK(held < 0.25*loose);
+}
+
+
+TEST_CASE("conservation: compression is resisted, extension is not", "[conservation][serial]")
+{
+    const label n = GENERATE(8, 10, 16);
+    const clumpType type
+    (
+        "cell",
+        dictOf
+        (
+            "shape { type ring; nSpheres " + Foam::name(n) + "; diameter 7.82e-6;"
+            " volume 94e-18; } density 1000; massModel union; motion free;"
+            "bondModel { type elastic; rigidities { normal 1e-10; tangential 3e-11;"
+            " bending 1e-23; torsional 1e-23; } } dampingModel { type none; }"
+        )
+    );
+    const conservationModels::compression model
+    (
+        dictOf("volumeModulus 1;"), type.centres(), type.radii()
+    );
+    vectorField grad(n), unused(n);
+
+    // Smaller in its plane, narrower, bent out of its plane: the volume of the union
+    const auto shape = GENERATE
+    (
+        std::array<scalar, 3>{{1, 1, 0}},
+        std::array<scalar, 3>{{0.8, 0.8, 0}},
+        std::array<scalar, 3>{{1.05, 0.75, 0}},
+        std::array<scalar, 3>{{0.95, 0.85, 0.3}},
+        std::array<scalar, 3>{{1.3, 0.9, 0}}
+    );
+    pointField x(type.centres());
+    for (point& p : x)
+    {
+        const scalar bend = shape[2]*sqr(p.x())/type.reach();
+        p = point(shape[0]*p.x(), shape[1]*p.y(), p.z() + bend);
+    }
+    const scalar V = model.volume(x, grad);
+    CHECK
+    (
+        V/type.volume()
+     == Approx(sphereUnion::volume(x, type.radii())/type.volume()).epsilon(0.01)
+    );
+
+    // Neither sum nor torque; the slope along a displacement
+    vector torque(Zero);
+    forAll(x, i)
+    {
+        torque += x[i] ^ grad[i];
+    }
+    CHECK(mag(sum(grad)) < 1e-13*sum(mag(grad)));
+    CHECK(mag(torque) < 1e-13*sum(mag(grad))*type.reach());
+
+    Random random(4);
+    vectorField step(n);
+    for (vector& d : step)
+    {
+        d = 1e-6*type.reach()*randomVector(random);
+    }
+    const scalar slope =
+        0.5*(model.volume(x + step, unused) - model.volume(x - step, unused));
+    CHECK
+    (
+        mag(slope - sum(grad & step))
+      < 1e-6*Foam::sqrt(sum(magSqr(grad))*sum(magSqr(step)))
+    );
+
+    // One side only
+    const scalar V0 = 1/model.stiffness();
+    const scalar Q = model.deviation(x, unused);
+    CHECK(Q == Approx(min(V - 0.999*V0, 0)).margin(1e-12*V0));
+    CHECK((Q < 0 || max(mag(unused)) == 0));
+}
+
+
+TEST_CASE("conservation: compression refuses what pairs cannot measure", "[conservation][serial]")
+{
+    // Triangles of spheres: three at a time overlap
+    CHECK_THROWS
+    (
+        bondedClump
+        (
+            "shell",
+            shellDict
+            (
+                "shape { sphereRadius 1.5e-6; }"
+                "conservationModel { type compression; volumeModulus 1000; }"
+            )
+        )
+    );
 }

@@ -6,26 +6,36 @@
 #include "sphereUnion.H"
 #include "DynamicList.H"
 #include "mathematicalConstants.H"
+#include <Eigen/Dense>
+#include <vector>
 
 namespace
 {
 
 using namespace Foam;
 
+constexpr int nDirections = 400;
+
+//- One number for every direction
+typedef Eigen::Array<scalar, nDirections, 1> perDirection;
+
+//- The components of directions, one in a row
+typedef Eigen::Matrix<scalar, nDirections, 3> directionMatrix;
+
 //- Directions of equal weight: a spiral of equal steps in height and of the golden
 //  angle
-const pointField& directions()
+const directionMatrix& directions()
 {
-    static const pointField result = []()
+    static const directionMatrix result = []()
     {
         using constant::mathematical::pi;
-        pointField n(400);
-        forAll(n, k)
+        directionMatrix n;
+        for (int k = 0; k < nDirections; ++k)
         {
-            const scalar z = 1 - (2*k + 1.0)/n.size();
+            const scalar z = 1 - (2*k + 1.0)/nDirections;
             const scalar angle = pi*(1 + Foam::sqrt(5.0))*(k + 0.5);
             const scalar s = Foam::sqrt(1 - sqr(z));
-            n[k] = point(s*Foam::cos(angle), s*Foam::sin(angle), z);
+            n.row(k) << s*Foam::cos(angle), s*Foam::sin(angle), z;
         }
         return n;
     }();
@@ -147,76 +157,73 @@ Foam::scalar Foam::sphereUnion::smoothVolume
     vectorField& grad
 )
 {
-    const pointField& n = directions();
+    typedef Eigen::Matrix<scalar, 3, 1> column;
+
+    const directionMatrix& n = directions();
     const point centre(average(x));
-    const scalar weight = 4*constant::mathematical::pi/n.size();
+    const scalar weight = 4*constant::mathematical::pi/nDirections;
 
     grad = Zero;
-    scalar sum = 0;
+    scalar result = 0;
     DynamicList<label> near;
-    DynamicList<vector> d;
     DynamicList<scalar> a;
+    std::vector<perDirection> y;    // r d.n/a, 0 where it is negative
+    perDirection S, t3, y2, y4, y15;
 
     forAll(x, i)
     {
         const scalar r = radii[i];
-        const tensor T(frame(x, centre, i).T());
+        const tensor T(frame(x, centre, i));
 
         near.clear();
-        d.clear();
         a.clear();
+        y.clear();
+        S = 1;
         forAll(x, j)
         {
-            const vector dij(x[j] - x[i]);
-            const scalar d2 = magSqr(dij);
-            if (j != i && d2 < sqr(r + radii[j]) && d2 > sqr(1e-6*r))
+            const vector d(x[j] - x[i]);
+            const scalar d2 = magSqr(d);
+            if (j == i || d2 >= sqr(r + radii[j]) || d2 <= sqr(1e-6*r))
             {
-                near.append(j);
-                d.append(T.T() & dij);
-                a.append(max(0.5*(d2 + sqr(r) - sqr(radii[j])), 1e-6*sqr(r)));
+                continue;
             }
-        }
+            near.append(j);
+            a.append(max(0.5*(d2 + sqr(r) - sqr(radii[j])), 1e-6*sqr(r)));
 
-        // Contributions of the plane of a neighbour to the gradient, along the
-        // directions and along d, in the frame of the sphere
-        vectorField along(near.size(), Zero);
-        scalarField across(near.size(), Zero);
-        scalarField part(near.size());
-
-        for (const vector& nk : n)
-        {
             // The sum of y^16 is dominated by the nearest plane
-            scalar S = 0;
-            forAll(near, k)
-            {
-                const scalar y = r*(d[k] & nk)/a[k];
-                part[k] = y > 0 ? sqr(sqr(y))*sqr(sqr(y)) : 0;
-                S += sqr(part[k]);
-            }
-            const scalar t3 = pow3(r)*Foam::pow(1 + S, -3.0/16);
-            sum += weight*t3/3;
-
-            // d(t^3/3) = -t^3/(1 + S) sum y^16 (n.delta/(d.n) - d.delta/a),
-            // delta = dx_j - dx_i
-            forAll(near, k)
-            {
-                if (part[k] > 0)
-                {
-                    const scalar w = weight*t3/(1 + S)*sqr(part[k]);
-                    along[k] += w/(d[k] & nk)*nk;
-                    across[k] += w/a[k];
-                }
-            }
+            const vector dLocal(r/a.last()*(T & d));
+            y.emplace_back
+            (
+                (n*column(dLocal.x(), dLocal.y(), dLocal.z())).array().max(0.0)
+            );
+            S += y.back().square().square().square().square();
         }
 
+        // t^3 = r^3 S^(-3/16)
+        t3 = pow3(r)*S.sqrt().sqrt().sqrt().sqrt().inverse().cube();
+        result += weight/3*t3.sum();
+        t3 /= S;
+
+        // d(t^3/3) = -t^3/S sum_j y^16 (n.delta/(d.n) - d.delta/a),
+        // delta = dx_j - dx_i
         forAll(near, k)
         {
-            const vector g(T & (across[k]*d[k] - along[k]));
+            y2 = y[k].square();
+            y4 = y2.square();
+            y15 = weight*t3*y4.square()*y4*y2*y[k];
+
+            const column along(r/a[k]*(n.transpose()*y15.matrix()));
+            const vector d(x[near[k]] - x[i]);
+            const vector g
+            (
+                (y15*y[k]).sum()/a[k]*d
+              - (T.T() & vector(along[0], along[1], along[2]))
+            );
             grad[near[k]] += g;
             grad[i] -= g;
         }
     }
 
     removeTorque(x, grad);
-    return sum;
+    return result;
 }

@@ -34,4 +34,14 @@ for row in dense:
 few, many = dense[0], dense[-1]
 results.report("memory per cell", 1024*(many["memory_MB"] - few["memory_MB"])
                / (many["cells"] - few["cells"]), "kB", "largest resident set, same mesh")
+
+# With red cells minus without, so that the flow's own messages fall out
+rows = read("messages.csv")
+with_cells = {row["ranks"]: row for row in rows if row["red_cells"] == "yes"}
+without = {row["ranks"]: row for row in rows if row["red_cells"] == "no"}
+for key, unit, scale in ("messages", "-", 1), ("bytes", "kB", 1e-3), ("collectives", "-", 1):
+    for ranks in sorted(with_cells):
+        results.report(f"{ranks:g} ranks with 24 red cells each: {key} of a rank and step for them",
+                       scale*(with_cells[ranks][key] - without[ranks][key]), unit,
+                       "calls of MPI, busiest rank")
 results.write()

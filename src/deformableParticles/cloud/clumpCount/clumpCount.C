@@ -99,7 +99,7 @@ void Foam::clumpCount::start(const label nHere)
 
 Foam::word Foam::clumpCount::patchName(const label patchi) const
 {
-    return patchi < 0 ? word("unknown") : mesh_.boundaryMesh()[patchi].name();
+    return patchi < 0 ? word("none") : mesh_.boundaryMesh()[patchi].name();
 }
 
 

@@ -58,7 +58,7 @@ void writeResiduals
 {
     OFstream os(file);
     os  << "variant,quantity," << test.abscissa()
-        << ",measured,error,model,z\n";
+        << ",measured,error,model,z,heldOut\n";
 
     const label n = data.points().size();
     for (label v = 0; v < nVariants; ++v)
@@ -69,7 +69,8 @@ void writeResiduals
             const scalar r = z[v*n + k];
             os  << v << ',' << data.quantities()[p.quantity] << ','
                 << data.abscissas()[p.abscissa] << ',' << p.value << ','
-                << p.error << ',' << p.value + r*p.error << ',' << r << nl;
+                << p.error << ',' << p.value + r*p.error << ',' << r << ','
+                << label(p.heldOut) << nl;
         }
     }
 }
@@ -225,12 +226,21 @@ int main(int argc, char* argv[])
         {
             Info<< tab << z[v*n + k];
         }
-        Info<< nl;
+        Info<< (data.points()[k].heldOut ? "  held out" : "") << nl;
     }
 
-    Info<< nl << "largest |z| " << z.cwiseAbs().maxCoeff() << ", RMS "
-        << z.norm()/Foam::sqrt(scalar(z.size())) << nl
-        << "unstable states " << unstable << nl
+    Info<< nl;
+    for (const bool heldOut : {false, true})
+    {
+        const Eigen::VectorXd part(solution.part(z, heldOut));
+        if (part.size())
+        {
+            Info<< (heldOut ? "held out: " : "") << "largest |z| "
+                << part.cwiseAbs().maxCoeff() << ", RMS "
+                << part.norm()/Foam::sqrt(scalar(part.size())) << nl;
+        }
+    }
+    Info<< "unstable states " << unstable << nl
         << "volume [m3]";
     for (label v = 0; v < solution.nVariants(); ++v)
     {

@@ -71,9 +71,29 @@ Eigen::VectorXd Foam::fit::residuals(const Eigen::VectorXd& y) const
 }
 
 
+Eigen::VectorXd Foam::fit::part
+(
+    const Eigen::VectorXd& z,
+    const bool heldOut
+) const
+{
+    const label n = data_.points().size();
+    Eigen::VectorXd result(z.size());
+    label count = 0;
+    for (label k = 0; k < z.size(); ++k)
+    {
+        if (data_.points()[k % n].heldOut == heldOut)
+        {
+            result[count++] = z[k];
+        }
+    }
+    return result.head(count);
+}
+
+
 Eigen::VectorXd Foam::fit::values(const Eigen::VectorXd& y) const
 {
-    Eigen::VectorXd f(residuals(y));
+    Eigen::VectorXd f(part(residuals(y), false));
     for (int k = 0; k < f.size(); ++k)
     {
         f[k] = Foam::sign(f[k])*Foam::pow(mag(f[k]), 0.5*norm_);
@@ -161,7 +181,7 @@ Eigen::VectorXd Foam::fit::run(const scalar norm, const label nStarts)
             best = y;
         }
 
-        const Eigen::VectorXd z(residuals(y));
+        const Eigen::VectorXd z(part(residuals(y), false));
         Info<< s << tab << z.norm()/Foam::sqrt(scalar(z.size())) << tab
             << z.cwiseAbs().maxCoeff() << endl;
     }

@@ -5,6 +5,7 @@
 
 #include "measurement.H"
 #include "modelSelection.H"
+#include "MinMax.H"
 #include "Pair.H"
 
 namespace
@@ -20,6 +21,28 @@ string textOf(const dictionary& dict, const word& key)
         t.isWord() ? string(t.wordToken())
       : t.isString() ? t.stringToken()
       : string(Foam::name(t.number()));
+}
+
+
+//- Intervals of the abscissa that are not fitted
+List<scalarMinMax> intervals(const dictionary& dict)
+{
+    const List<Pair<scalar>> ends
+    (
+        dict.getOrDefault("heldOut", List<Pair<scalar>>())
+    );
+    List<scalarMinMax> result(ends.size());
+    forAll(ends, k)
+    {
+        if (ends[k].first() > ends[k].second())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'heldOut' has the interval " << ends[k]
+                << "; its lower end comes first." << exit(FatalIOError);
+        }
+        result[k] = scalarMinMax(ends[k].first(), ends[k].second());
+    }
+    return result;
 }
 
 
@@ -89,6 +112,7 @@ Foam::measurement::measurement
     const label abscissaColumn = table.column(textOf(abscissa, "column"));
     const scalar abscissaUnit = getPositive(abscissa, "unit");
     const dictionary& values = dict.subDict("values");
+    const List<scalarMinMax> heldOut(intervals(dict));
 
     for (const word& q : values.toc())
     {
@@ -133,6 +157,11 @@ Foam::measurement::measurement
             p.quantity = q;
             p.value = unit*table.number(row, column);
             p.line = table.line(row);
+            p.heldOut = false;
+            for (const scalarMinMax& interval : heldOut)
+            {
+                p.heldOut = p.heldOut || interval.contains(x/abscissaUnit);
+            }
             p.error = unit*errorBar(table, row, v);
             if (p.error <= 0)
             {
@@ -149,6 +178,17 @@ Foam::measurement::measurement
             }
             points_.append(p);
         }
+    }
+
+    bool fitted = false;
+    for (const point& p : points_)
+    {
+        fitted = fitted || !p.heldOut;
+    }
+    if (!fitted && points_.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'heldOut' leaves no point to fit." << exit(FatalIOError);
     }
 
     if (abscissas_.size() < 2)

@@ -44,4 +44,10 @@ for key, unit, scale in ("messages", "-", 1), ("bytes", "kB", 1e-3), ("collectiv
         results.report(f"{ranks:g} ranks with 24 red cells each: {key} of a rank and step for them",
                        scale*(with_cells[ranks][key] - without[ranks][key]), unit,
                        "calls of MPI, busiest rank")
+
+one, two = read("thousand.csv")
+results.report("1000 red cells: start-up and first step", one["first_step_s"], "s", "ClockTime")
+results.report("1000 red cells: a step", one["step_s"], "s", "ClockTime, one core")
+results.report("1000 red cells: one core over two", one["step_s"]/two["step_s"], "-", "ClockTime")
+results.report("1000 red cells: memory", one["memory_MB"], "MB", "largest resident set")
 results.write()

@@ -13,6 +13,9 @@ title = {"array": "Drag of a cubic array of spheres", "tether": "Drag on the tet
          "shear": "Rotation of a free cell in shear",
          "drift": "Drift of a free cell across the shear", "stretching": "Stretching curve"}
 
+against = {"array": "Zick and Homsy 1982", "tether": "the finest run", "shear": "the finest run",
+           "drift": "the converged run", "stretching": "the measurement"}
+
 # Of an error of one, in the unit of the error
 scale = {scene: (100, "%") for scene in title}
 scale["drift"] = (1, "um/s")
@@ -112,7 +115,7 @@ for axis, scene in zip(axes.flat, title):
     axis.set_yscale("linear" if scene == "stretching" else "log")
     axis.set_title(title[scene])
     axis.set_xlabel(unit[scene])
-    axis.set_ylabel(f"error [{of}]")
+    axis.set_ylabel(f"error against {against[scene]} [{of}]")
     axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1))
 save(figure, "accuracyCost.png")
 

@@ -7,6 +7,7 @@
 #include "DynamicList.H"
 #include "mathematicalConstants.H"
 #include <Eigen/Dense>
+#include <Eigen/StdVector>
 #include <vector>
 
 namespace
@@ -167,7 +168,8 @@ Foam::scalar Foam::sphereUnion::smoothVolume
     scalar result = 0;
     DynamicList<label> near;
     DynamicList<scalar> a;
-    std::vector<perDirection> y;    // r d.n/a, 0 where it is negative
+    std::vector<perDirection, Eigen::aligned_allocator<perDirection>>
+        y;                          // r d.n/a, 0 where it is negative
     perDirection S, t3, y2, y4, y15;
 
     forAll(x, i)

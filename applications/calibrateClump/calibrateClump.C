@@ -180,6 +180,16 @@ int main(int argc, char* argv[])
         folder += Foam::name(v);
     }
 
+    const label nFitted = data.nFitted()*max(1, variants.size());
+    if (nFitted < parameters.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Only " << nFitted << " points are fitted, fewer than the "
+            << parameters.size() << " parameters"
+            << (dict.subDict("data").found("heldOut") ? " (see heldOut)" : "")
+            << '.' << exit(FatalIOError);
+    }
+
     fit solution(*test, data, parameters, type, variants);
     const Eigen::VectorXd y
     (

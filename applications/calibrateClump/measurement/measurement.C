@@ -95,6 +95,7 @@ Foam::measurement::measurement
 :
     quantities_(quantities)
 {
+    checkEntries(dict, {"file", "select", "abscissa", "values", "heldOut"});
     const fileName name(dict.get<fileName>("file"));
     file_ = name.isAbsolute() ? name : folder/name;
     const csvTable table(file_);
@@ -160,7 +161,7 @@ Foam::measurement::measurement
             p.heldOut = false;
             for (const scalarMinMax& interval : heldOut)
             {
-                p.heldOut = p.heldOut || interval.contains(x/abscissaUnit);
+                p.heldOut = p.heldOut || interval.contains(table.number(row, abscissaColumn));
             }
             p.error = unit*errorBar(table, row, v);
             if (p.error <= 0)
@@ -180,17 +181,6 @@ Foam::measurement::measurement
         }
     }
 
-    bool fitted = false;
-    for (const point& p : points_)
-    {
-        fitted = fitted || !p.heldOut;
-    }
-    if (!fitted && points_.size())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'heldOut' leaves no point to fit." << exit(FatalIOError);
-    }
-
     if (abscissas_.size() < 2)
     {
         FatalIOErrorInFunction(dict)
@@ -198,4 +188,15 @@ Foam::measurement::measurement
             << " has " << abscissas_.size() << (selectColumn >= 0 ? " of " : "")
             << selected.c_str() << exit(FatalIOError);
     }
+}
+
+
+Foam::label Foam::measurement::nFitted() const
+{
+    label n = 0;
+    for (const point& p : points_)
+    {
+        n += !p.heldOut;
+    }
+    return n;
 }

@@ -312,6 +312,8 @@ TEST_CASE("conservation: compression is resisted, extension is not", "[conservat
 TEST_CASE("conservation: compression refuses what pairs cannot measure", "[conservation][serial]")
 {
     // Triangles of spheres: three at a time overlap
+    const string shape("shape { sphereRadius 1.5e-6; }");
+    CHECK_NOTHROW(bondedClump("shell", shellDict(shape)));
     CHECK_THROWS
     (
         bondedClump
@@ -319,9 +321,46 @@ TEST_CASE("conservation: compression refuses what pairs cannot measure", "[conse
             "shell",
             shellDict
             (
-                "shape { sphereRadius 1.5e-6; }"
-                "conservationModel { type compression; volumeModulus 1000; }"
+                shape
+              + "conservationModel { type compression; volumeModulus 1000; }"
             )
         )
     );
+}
+
+
+TEST_CASE("conservation: a ring that is pressed together pushes back", "[conservation][serial]")
+{
+    // Ten per cent smaller: the force of the model, outwards, against the slope of its energy
+    const auto forces = [](const string& conservation, scalar& energy)
+    {
+        dictionary dict(cellDict());
+        dict.set("shape", dictOf("type ring; nSpheres 10; diameter 7.82e-6; volume 94e-18;"));
+        dict.set("conservationModel", dictOf(conservation));
+        const bondedClump clump("cell", dict);
+        clumpState s(clump.type);
+        s.x *= 0.9;
+        vectorField F(clump.type.size()), T(clump.type.size());
+        energy = bondForces(clump.bonds, s).explicitForces(s, F, T);
+        return scalarField((F & s.x)/mag(s.x));
+    };
+    scalar loose = 0, held = 0;
+    const scalarField ofBonds(forces("type none;", loose));
+    const scalarField all
+    (
+        forces("type compression; volumeModulus 1e4;", held)
+    );
+    const scalar V0 = 94e-18;
+
+    // E = k (V - V1)^2/(2 V0): a pressure of some 10 % of the modulus, which acts on the
+    // discs in which neighbours meet
+    const scalar Q = Foam::sqrt(2*(held - loose)*V0/1e4);
+    CHECK(Q/V0 == Approx(0.13).margin(0.05));
+    const scalar r2 = sqr(1.4746e-6) - sqr(0.5*0.9*2.4355e-6*0.61803);
+    const scalar disc = constant::mathematical::pi*r2;
+    const scalar outwards = 1e4*Q/V0*disc*2*0.30902;
+    for (const scalar f : scalarField(all - ofBonds))
+    {
+        CHECK(f == Approx(outwards).epsilon(0.02));
+    }
 }

@@ -264,13 +264,30 @@ TEST_CASE("integrators: coincident and inverted spheres are no singularity", "[h
 TEST_CASE("integrators: explicit steps follow a stiff conservation model", "[energy][serial]")
 {
     // Moduli that are soft, as stiff as the bonds, and far stiffer
-    const string modulus = GENERATE("1e-5", "1e-3", "0.1", "10");
+    const string model = GENERATE
+    (
+        "enclosedArea; areaModulus 1e-5;",
+        "enclosedArea; areaModulus 1e-3;",
+        "enclosedArea; areaModulus 0.1;",
+        "enclosedArea; areaModulus 10;",
+        "compression; volumeModulus 1e3;",
+        "compression; volumeModulus 1e6;"
+    );
     const label n = GENERATE(6, 10, 32);
     dictionary dict(cellDict("type none;", "type elastic;", n));
+    dict.set
+    (
+        "shape",
+        dictOf
+        (
+            "type ring; nSpheres " + Foam::name(n)
+          + "; diameter 7.82e-6; volume 94e-18;"
+        )
+    );
     dict.add
     (
         "conservationModel",
-        dictOf("type enclosedArea; areaModulus " + modulus + ";")
+        dictOf("type " + model)
     );
     const bondedClump clump("cell", dict);
     const clumpType& type = clump.type;
@@ -284,7 +301,7 @@ TEST_CASE("integrators: explicit steps follow a stiff conservation model", "[ene
     disturb(type, s, 0.02, random);
     const externalForces nothing(type.size());
     const scalar first = energy(clump.bonds, s);
-    INFO("area modulus " << modulus << " N/m, " << n << " spheres");
+    INFO(model << ' ' << n << " spheres");
 
     // Two hundred sub-steps in twenty advances, longer than the bonds allow
     const scalar dt = 10*verlet.stableStep(clump.bonds, nothing, s.x);

@@ -1,6 +1,7 @@
 """Time per clump and step of the parts, median of the rounds, and how it grows; time per cell and
 simulated millisecond over the haematocrit."""
 
+import os
 import statistics
 from results import Results, read
 
@@ -39,15 +40,21 @@ results.report("memory per cell", 1024*(many["memory_MB"] - few["memory_MB"])
 rows = read("messages.csv")
 with_cells = {row["ranks"]: row for row in rows if row["red_cells"] == "yes"}
 without = {row["ranks"]: row for row in rows if row["red_cells"] == "no"}
+for ranks, row in with_cells.items():
+    results.add(f"{ranks:g} ranks: linear iterations of a step, with red cells against without",
+                row["linear_iterations"] - without[ranks]["linear_iterations"], "-", 0, 0,
+                "three per solution")
 for key, unit, scale in ("messages", "-", 1), ("bytes", "kB", 1e-3), ("collectives", "-", 1):
     for ranks in sorted(with_cells):
         results.report(f"{ranks:g} ranks with 24 red cells each: {key} of a rank and step for them",
                        scale*(with_cells[ranks][key] - without[ranks][key]), unit,
                        "calls of MPI, busiest rank")
 
-one, two = read("thousand.csv")
-results.report("1000 red cells: start-up and first step", one["first_step_s"], "s", "ClockTime")
-results.report("1000 red cells: a step", one["step_s"], "s", "ClockTime, one core")
-results.report("1000 red cells: one core over two", one["step_s"]/two["step_s"], "-", "ClockTime")
-results.report("1000 red cells: memory", one["memory_MB"], "MB", "largest resident set")
+if os.path.exists("thousand.csv"):
+    one, two = read("thousand.csv")
+    results.report("1000 red cells: start-up and first step", one["first_step_s"], "s", "ClockTime")
+    results.report("1000 red cells: a step", one["step_s"], "s", "ClockTime, one core")
+    results.report("1000 red cells: speed-up on two cores", one["step_s"]/two["step_s"], "-",
+                   "ClockTime")
+    results.report("1000 red cells: memory", one["memory_MB"], "MB", "largest resident set")
 results.write()

@@ -1,6 +1,7 @@
 /* Counts what a rank sends: loaded before MPI, prints at the end of the run
        messages <rank> <sent> <bytes> <collective operations>
-   MPI's profiling interface (MPI standard, chapter "Profiling Interface") gives every
+   Sent are MPI_Send, MPI_Bsend and MPI_Isend, collective MPI_Allreduce and MPI_Alltoall, which are
+   those that OpenFOAM calls in a step. MPI's profiling interface (MPI standard, chapter "Profiling Interface") gives every
    function a second name with the prefix P. */
 #include <mpi.h>
 #include <stdio.h>

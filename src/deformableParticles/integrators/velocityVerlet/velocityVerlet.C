@@ -58,7 +58,7 @@ Foam::scalar Foam::integrators::velocityVerlet::stableStep
     for (const conservationModel& model : bonds.conservation())
     {
         vectorField grad(n);
-        model.deviation(x, grad);
+        model.steepest(x, grad);
         K += model.stiffness()*sum(mag(grad))*mag(grad);
     }
 

@@ -14,7 +14,8 @@ def outcome(run):
     crashed: otherwise."""
     if run["status"] == 0:
         inside = 0 if run["left"] == run["placed"] else run["clumps"]
-        whole = inside + run["left"] == run["placed"] > 0 and not run["nan"]
+        whole = inside + run["left"] == run["placed"] and not run["nan"]
+        whole = whole and (run["placed"] > 0 or run["name"] == "no clumps")
         # A force of 1000 pN stretches as far as the bonds let it: the shape after the release
         # counts
         bounded = run["longest_m"] < (5 if "release" in run["name"]

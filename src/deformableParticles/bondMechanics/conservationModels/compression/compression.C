@@ -34,10 +34,7 @@ Foam::conservationModels::compression::compression
     {
         for (label j = i + 1; j < centres.size(); ++j)
         {
-            if (!covered(centres, i, j))
-            {
-                pairs_.append(labelPair(i, j));
-            }
+            pairs_.append(makePair(centres, i, j));
         }
     }
 
@@ -55,14 +52,40 @@ Foam::conservationModels::compression::compression
 }
 
 
-bool Foam::conservationModels::compression::covered
+Foam::scalar Foam::conservationModels::compression::overlap
+(
+    const scalar d2,
+    const scalar ri,
+    const scalar rj,
+    scalar& area
+)
+{
+    using constant::mathematical::pi;
+
+    area = 0;
+    if (d2 >= sqr(ri + rj))
+    {
+        return 0;
+    }
+    if (d2 <= sqr(ri - rj) + sqr(1e-6*ri))
+    {
+        return 4*pi/3*pow3(min(ri, rj));
+    }
+    const scalar d = Foam::sqrt(d2);
+    area = pi*(sqr(ri) - sqr(d2 + sqr(ri) - sqr(rj))/(4*d2));
+    return pi*sqr(ri + rj - d)*(d2 + 2*d*(ri + rj) - 3*sqr(ri - rj))/(12*d);
+}
+
+
+Foam::conservationModels::compression::pair
+Foam::conservationModels::compression::makePair
 (
     const pointField& x,
     const label i,
     const label j
 ) const
 {
-    // The disc, or the point between spheres that are apart
+    // The disc, or the middle of the gap
     const vector d(x[j] - x[i]);
     const scalar part =
         0.5*(1 + (sqr(radii_[i]) - sqr(radii_[j]))/max(magSqr(d), VSMALL));
@@ -71,6 +94,8 @@ bool Foam::conservationModels::compression::covered
         Foam::sqrt(max(sqr(radii_[i]) - magSqr(centre - x[i]), 0));
 
     const vector axis(normalised(d));
+    scalar area;
+    scalar l = 0;
     forAll(x, k)
     {
         const vector c(x[k] - centre);
@@ -78,10 +103,27 @@ bool Foam::conservationModels::compression::covered
         const scalar farthest = mag(c - along*axis) + radius;
         if (k != i && k != j && sqr(along) + sqr(farthest) < sqr(radii_[k]))
         {
-            return true;
+            for (const label end : {i, j})
+            {
+                l = max
+                (
+                    l,
+                    overlap(magSqr(x[k] - x[end]), radii_[k], radii_[end], area)
+                );
+            }
         }
     }
-    return false;
+
+    if (l <= 0)
+    {
+        return pair{i, j, 0, 0};
+    }
+
+    const scalar v =
+        4*constant::mathematical::pi/3*pow3(min(radii_[i], radii_[j]));
+    const scalar L0 =
+        min(l, overlap(magSqr(d), radii_[i], radii_[j], area));
+    return pair{i, j, L0, (l - L0)*(v - L0)/max(v - l, 1e-3*v)};
 }
 
 
@@ -91,36 +133,30 @@ Foam::scalar Foam::conservationModels::compression::volume
     vectorField& grad
 ) const
 {
-    using constant::mathematical::pi;
-
     grad = Zero;
-    scalar result = 4*pi/3*sum(pow3(radii_));
+    scalar result = 4*constant::mathematical::pi/3*sum(pow3(radii_));
 
-    for (const labelPair& p : pairs_)
+    for (const pair& p : pairs_)
     {
-        const scalar ri = radii_[p.first()];
-        const scalar rj = radii_[p.second()];
-        const vector dx(x[p.second()] - x[p.first()]);
-        const scalar d2 = magSqr(dx);
-        if (d2 >= sqr(ri + rj))
+        const vector dx(x[p.j] - x[p.i]);
+        scalar area;
+        const scalar X =
+            overlap(magSqr(dx), radii_[p.i], radii_[p.j], area) - p.L0;
+        if (X <= 0)
         {
             continue;
         }
-        if (d2 <= sqr(ri - rj) + sqr(1e-6*ri))
+        result -= sqr(X)/(X + p.B);
+
+        if (area > 0)
         {
-            result -= 4*pi/3*pow3(min(ri, rj));
-            continue;
+            const vector slope
+            (
+                area*X*(X + 2*p.B)/sqr(X + p.B)/mag(dx)*dx
+            );
+            grad[p.j] += slope;
+            grad[p.i] -= slope;
         }
-
-        const scalar d = Foam::sqrt(d2);
-        result -=
-            pi*sqr(ri + rj - d)*(d2 + 2*d*(ri + rj) - 3*sqr(ri - rj))/(12*d);
-
-        const scalar area =
-            pi*(sqr(ri) - sqr(d2 + sqr(ri) - sqr(rj))/(4*d2));
-        const vector slope(area/d*dx);
-        grad[p.second()] += slope;
-        grad[p.first()] -= slope;
     }
 
     return result;

@@ -132,12 +132,19 @@ Foam::measurement::measurement
             continue;
         }
 
-        const scalar x = abscissaUnit*table.number(row, abscissaColumn);
+        const scalar inTable = table.number(row, abscissaColumn);
+        const scalar x = abscissaUnit*inTable;
         if (abscissas_.size() && x < abscissas_.last())
         {
             table.fail(row, "the abscissa is lower than in the row before");
         }
         abscissas_.append(x);
+
+        bool isHeldOut = false;
+        for (const scalarMinMax& interval : heldOut)
+        {
+            isHeldOut = isHeldOut || interval.contains(inTable);
+        }
 
         forAll(quantities_, q)
         {
@@ -158,11 +165,7 @@ Foam::measurement::measurement
             p.quantity = q;
             p.value = unit*table.number(row, column);
             p.line = table.line(row);
-            p.heldOut = false;
-            for (const scalarMinMax& interval : heldOut)
-            {
-                p.heldOut = p.heldOut || interval.contains(table.number(row, abscissaColumn));
-            }
+            p.heldOut = isHeldOut;
             p.error = unit*errorBar(table, row, v);
             if (p.error <= 0)
             {

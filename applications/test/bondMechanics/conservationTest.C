@@ -63,11 +63,7 @@ TEST_CASE("conservation: gradients, net force and torque", "[conservation][seria
     CHECK(mag(model->deviation(type.centres(), unused)) < 1e-14*pow3(type.reach()));
     model->deviation(s.x, grad);
 
-    vector torque(Zero);
-    forAll(grad, i)
-    {
-        torque += s.x[i] ^ grad[i];
-    }
+    const vector torque(sum(s.x ^ grad));
     CHECK(mag(sum(grad)) < 1e-13*sum(mag(grad)));
     CHECK(mag(torque) < 1e-13*sum(mag(grad))*type.reach());
 
@@ -178,11 +174,7 @@ TEST_CASE("conservation: the volume of the union, folded or not", "[conservation
     CHECK(max(mag(turnedGrad - (R & grad))) < 1e-10*max(mag(grad)));
 
     // Neither sum nor torque
-    vector torque(Zero);
-    forAll(x, i)
-    {
-        torque += x[i] ^ grad[i];
-    }
+    const vector torque(sum(x ^ grad));
     CHECK(mag(sum(grad)) < 1e-13*sum(mag(grad)));
     CHECK(mag(torque) < 1e-8*sum(mag(grad))*type.reach());
 
@@ -280,11 +272,7 @@ TEST_CASE("conservation: compression is resisted, extension is not", "[conservat
     );
 
     // Neither sum nor torque; the slope along a displacement
-    vector torque(Zero);
-    forAll(x, i)
-    {
-        torque += x[i] ^ grad[i];
-    }
+    const vector torque(sum(x ^ grad));
     CHECK(mag(sum(grad)) < 1e-13*sum(mag(grad)));
     CHECK(mag(torque) < 1e-13*sum(mag(grad))*type.reach());
 

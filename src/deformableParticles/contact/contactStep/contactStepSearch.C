@@ -39,6 +39,12 @@ bool Foam::contactStep::resume
     clearMembers();
     touches_ = search_.touches;
     begins_ = search_.begins;
+    move(true);
+    for (touch& t : touches_)
+    {
+        evaluate(t);
+    }
+    distribute(true);
     return true;
 }
 

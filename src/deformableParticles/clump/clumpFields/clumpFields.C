@@ -6,6 +6,7 @@
 #include "clumpFields.H"
 #include "Cloud.H"
 #include "compactFieldReader.H"
+#include "compactFieldWriter.H"
 #include "foamCompat.H"
 #include "HashSet.H"
 #include "labelPair.H"
@@ -150,18 +151,12 @@ void writeFile(const regIOobject& file, const bool valid)
 template<class Type, class Getter>
 void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get)
 {
-    typename compactLists<Type>::type lists
-    (
-        fieldObject(c, name, IOobject::NO_READ), c.size()
-    );
-
-    label i = 0;
+    compactFieldWriter<Type> file(fieldObject(c, name, IOobject::NO_READ));
     for (const clumpParcel& p : c)
     {
-        lists[i++] = get(p);
+        file.append(get(p));
     }
-
-    writeFile(lists, c.size() > 0);
+    writeFile(file, c.size() > 0);
 }
 
 }

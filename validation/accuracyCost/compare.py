@@ -79,6 +79,31 @@ for scene in title:
     for name in lost:
         print(f"  {name}: lost its stability")
 
+
+def place(axis, labels):
+    """Writes each label beside its point, where it covers neither another label nor a point."""
+    renderer = axis.figure.canvas.get_renderer()
+    taken = [axis.transData.transform((x, y)) for line in axis.get_lines()
+             for x, y in zip(*line.get_data())]
+    boxes = []
+    for x, y, text, style in labels:
+        trials = []
+        for right, up in ((1, 1), (1, -1), (-1, 1), (-1, -1), (1, 3), (-1, 3), (1, -3), (-1, -3)):
+            trial = axis.annotate(text, (x, y), xytext=(5*right, 5*up), textcoords="offset points",
+                                  ha="left" if right > 0 else "right",
+                                  va="bottom" if up > 0 else "top", **style)
+            box = trial.get_window_extent(renderer)
+            covered = sum(box.overlaps(other) for other in boxes) \
+                + sum(box.contains(*point) for point in taken) \
+                + (box.x0 < axis.bbox.x0) + (box.x1 > axis.bbox.x1)
+            trials.append((covered, len(trials), trial, box))
+        best = min(trials)
+        boxes.append(best[3])
+        for trial in trials:
+            if trial is not best:
+                trial[2].remove()
+
+
 # Of the knobs with a scale every setting is written beside its point, of the others beside the
 # knob's name
 scales = ("D/dx", "dt", "N", "refinement")
@@ -89,6 +114,7 @@ for axis, scene in zip(axes.flat, title):
         axis.axis("off")
         continue
     factor, of = scale[scene]
+    labels = []
     knobs = sorted({p[2] for p in points[scene]} - {"level", "paper"})
     for i, knob in enumerate(knobs):
         own = sorted(p for p in points[scene] if p[2] == knob)
@@ -98,24 +124,22 @@ for axis, scene in zip(axes.flat, title):
                   lw=0.8, ms=6,
                   color=plt.cm.tab20(i), label=name)
         for cost, error, _, setting in own if knob in scales else ():
-            axis.annotate(setting, (cost, factor*error), fontsize=7, xytext=(4, 4),
-                          textcoords="offset points")
+            labels.append((cost, factor*error, setting, {"fontsize": 7}))
     best = front(scene)
     axis.plot([p[0] for p in best], [factor*p[1] for p in best], "k--", lw=1, label="Pareto front")
     for cost, error, knob, setting in points[scene]:
         if knob in ("level", "paper"):
             axis.plot(cost, factor*error, "*" if knob == "level" else "X", color="r", ms=13,
                       zorder=5)
-            paper = knob == "paper"
-            axis.annotate("the paper's choice" if paper else setting, (cost, factor*error),
-                          fontsize=9, color="r",
-                          ha="right" if paper else "left", xytext=(-10, -4) if paper else (6, -11),
-                          textcoords="offset points")
+            labels.insert(0, (cost, factor*error,
+                              "the paper's choice" if knob == "paper" else setting,
+                              {"fontsize": 9, "color": "r"}))
     axis.set_xscale("log")
     axis.set_yscale("linear" if scene == "stretching" else "log")
     axis.set_title(title[scene])
     axis.set_xlabel(unit[scene])
     axis.set_ylabel(f"error against {against[scene]} [{of}]")
+    place(axis, labels)
     axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1))
 save(figure, "accuracyCost.png")
 

@@ -38,6 +38,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     direction_(Zero),
     gradient_(0),
     used_(0),
+    mean_(0),
     response_(0),
     responseStep_(0),
     fresh_(true),
@@ -76,6 +77,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     if (state_.headerOk())
     {
         state_.readEntry("gradient", gradient_);
+        mean_ = state_.getOrDefault("mean", mag(Ubar_));
         state_.readIfPresent("response", response_);
         state_.readIfPresent("responseStep", responseStep_);
         fresh_ = false;
@@ -222,6 +224,16 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
 }
 
 
+Foam::scalar Foam::fv::meanVelocityGradient::meanOf
+(
+    const volVectorField& U
+) const
+{
+    return
+        gSum((U.primitiveField() & direction_)*mesh_.V())/gSum(mesh_.V());
+}
+
+
 void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
 {
     const scalar dt = mesh_.time().deltaTValue();
@@ -231,16 +243,17 @@ void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
         responseStep_ = dt;
     }
 
-    const scalar mean =
-        gSum((U.primitiveField() & direction_)*mesh_.V())/gSum(mesh_.V());
-
-    gradient_ += (mag(Ubar_) - mean)/response_;
+    const scalar mean = meanOf(U);
+    const scalar kept = fresh_ ? 0 : response_/dt*(mean - mean_);
+    gradient_ += (mag(Ubar_) - mean - kept)/response_;
+    mean_ = mean;
     fresh_ = false;
 
     Info<< "Mean velocity = " << mean << ", pressure gradient = "
         << gradient_ << endl;
 
     setExact(state_, "gradient", gradient_);
+    setExact(state_, "mean", mean_);
     setExact(state_, "response", response_);
     setExact(state_, "responseStep", responseStep_);
 }

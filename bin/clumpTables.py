@@ -14,7 +14,8 @@ name ends with the names there are.
 The tables of this library have the names in the first line that is not a comment. Those of OpenFOAM
 have them in the last comment line; a value in parentheses below `volAverage(U)` has the names
 `volAverage(U) x` and so on, and `Time` is `time`. A table of a restart replaces the rows of
-the runs before after the time at which it has started.
+the runs before after the time at which it has started; rows that rbcIbFoam -postProcess adds for
+earlier times are left out.
 """
 
 import os
@@ -81,6 +82,9 @@ def texts(case, name, **wanted):
             os.path.join(folder, start))]
         for file in sorted(files, key=os.path.getmtime):
             more = parse(file)
+            if rows:
+                # -postProcess writes rows of earlier times, too
+                more = [r for r in more if float(r["time"]) > (1 + 1e-9)*float(start)]
             if more:
                 rows = [r for r in rows if float(r["time"]) < (1 + 1e-9)*float(start)]
             rows += more

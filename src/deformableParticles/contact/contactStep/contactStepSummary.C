@@ -32,10 +32,17 @@ Foam::contactSummary Foam::contactStep::summary() const
                 t.radii - (wall ? (t.n & dx) : mag(before(t) + dx));
             if (wall)
             {
-                // A plane beyond the edge of its wall is not touched
+                // A plane beyond the edge of its wall is not touched. Beside an edge the
+                // centre may be in the plane of a piece and far from the piece itself
                 if (t.touches)
                 {
-                    result.deepestOfWall = max(result.deepestOfWall, overlap/r);
+                    const point x(clumps_[a].centres()[t.i] + dx);
+                    const bool behind = overlap >= r;
+                    const scalar deep =
+                        behind
+                      ? overlap
+                      : min(overlap, r - walls_.surface().distance(x, r));
+                    result.deepestOfWall = max(result.deepestOfWall, deep/r);
                 }
                 continue;
             }

@@ -1,9 +1,10 @@
 """Reads the spheres that the function object vtkClumps has written to VTK/clumps.
 
-    from clumpSpheres import frames, spheres, drawSpheres
+    from clumpSpheres import drawSpheres, frames, spheres, typeNames
     time, path = frames("case")[-1]
     s = spheres(path)
     s["x"], s["radius"], s["U"]         # arrays, one row per sphere, SI units
+    typeNames(path)[int(s["type"][0])]  # name of the type of the first sphere
 """
 
 import json
@@ -24,15 +25,26 @@ def frames(case="."):
     return result
 
 
-def spheres(path):
-    """Centres `x` and every array of a file by name, without rows where there are no spheres."""
-    import numpy as np
-    from vtkmodules.util.numpy_support import vtk_to_numpy
+def read(path):
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
-    data, point = reader.GetOutput(), reader.GetOutput().GetPointData()
+    return reader.GetOutput()
+
+
+def typeNames(path):
+    """Names of the types, in the order of the numbers in the array `type`."""
+    names = read(path).GetFieldData().GetAbstractArray("typeNames")
+    return [names.GetValue(k) for k in range(names.GetNumberOfValues())] if names else []
+
+
+def spheres(path):
+    """Centres `x` and every array of a file by name, without rows where there are no spheres."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    data = read(path)
+    point = data.GetPointData()
     result = {point.GetArrayName(k): vtk_to_numpy(point.GetArray(k))
               for k in range(point.GetNumberOfArrays())}
     result["x"] = vtk_to_numpy(data.GetPoints().GetData()).astype(float) \

@@ -71,7 +71,7 @@ def kindOf(entry, code):
     if entry.isDict:
         return "dictionary"
     kind = next((c.types[entry.name] for c in code if entry.name in c.types), "")
-    if kind:
+    if kind not in ("", "dictionary"):
         return kind
     value = entry.value
     if re.fullmatch(r"[-+]?[0-9]+", value):

@@ -64,7 +64,7 @@ def link(header):
 
 
 def familyTable(members):
-    lines = ["| `type` | what it is |", "|---|---|"]
+    lines = ["| `type` (mandatory) | what it is |", "|---|---|"]
     table = []
     base = [h for h in members if "declareRunTimeSelectionTable" in h.path.read_text()]
     shared = {}

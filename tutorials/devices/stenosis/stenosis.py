@@ -6,6 +6,7 @@ clumpShape (lengths) and VTK/clumps (the spheres). Writes result.csv and result.
 
 import csv
 import math
+import re
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -18,9 +19,14 @@ DEPTH = 10              # of the channel [um]
 SECTIONS = {"before": (6, 18), "throat": (27, 33), "behind": (42, 54)}
 
 
+with open("system/blockMeshDict") as file:
+    THROAT = float(re.search(r"^throat\s+([\d.]+);", file.read(), re.M).group(1))
+
+
 def halfHeight(x):
-    """Of the channel [um]; system/blockMeshDict"""
-    return 8 - 4*(1 - math.cos(math.pi*min(max(1 - abs(x - 30)/12, 0), 1)))/2
+    """Of the channel [um], as in system/blockMeshDict."""
+    near = min(max(1 - abs(x - 30)/12, 0), 1)
+    return 8 - (8 - THROAT)*(1 - math.cos(math.pi*near))/2
 
 
 passages = table(".", "clumpPassages")

@@ -16,6 +16,26 @@ namespace
 
 using namespace Foam;
 
+//- What to use in place of a type that clumps do not support
+const char* insteadOf(const word& type)
+{
+    if (type == "empty")
+    {
+        return "The flow around clumps has three dimensions: use a pair of type"
+            " cyclic.";
+    }
+    if (type == "wedge" || type == "cyclic")
+    {
+        return "Mesh the full circle.";
+    }
+    if (!type.compare(0, 8, "symmetry"))
+    {
+        return "Mesh both sides of the plane.";
+    }
+    return "Make the faces of both sides match and use a pair of type cyclic.";
+}
+
+
 //- With the first clump: fatal where clumps could not cross or touch a patch. What lies behind it
 //  would be missing from walls, contacts and forces
 void checkPatches(const polyBoundaryMesh& patches)
@@ -65,8 +85,7 @@ void checkPatches(const polyBoundaryMesh& patches)
                 << (rotates[patchi] ? " (rotational)" : "")
                 << ". Clumps cannot have images behind such a patch; supported"
                 << " types are wall, patch and translational cyclic." << nl
-                << "    For a plane of symmetry, mesh both sides of it."
-                << exit(FatalIOError);
+                << "    " << insteadOf(type) << exit(FatalIOError);
         }
     }
 }

@@ -123,7 +123,8 @@ void Foam::wallSurface::makeSearch(const UList<point>& corners)
 
         out_.setSize(triangles.size());
         boxes_.setSize(triangles.size());
-        counts_ = boolList(triangles.size(), false);
+        counts_.clear();
+        counts_.resize(triangles.size(), false);
         forAll(triangles, t)
         {
             const point& a = corners[3*t];

@@ -42,6 +42,33 @@ List<Type> gathered(const DynamicList<Type>& local)
 }
 
 
+//- The name of every type as field data: texts are the codes of their letters,
+//  each ended by 0
+void writeTypeNames(vtk::formatter& format, const PtrList<clumpType>& types)
+{
+    format.beginFieldData();
+    format.openTag
+    (
+        "Array",
+        "type", string("String"),
+        "Name", string("typeNames"),
+        "NumberOfTuples", types.size(),
+        "format", string("ascii")
+    );
+    format.closeTag();
+    for (const clumpType& type : types)
+    {
+        for (const char letter : type.name())
+        {
+            format.os() << int(letter) << ' ';
+        }
+        format.os() << "0\n";
+    }
+    format.endTag("Array");
+    format.endFieldData();
+}
+
+
 //- Start of a piece of polydata: points, and vertices or lines in order
 void beginPiece
 (
@@ -51,7 +78,6 @@ void beginPiece
     const label nLines
 )
 {
-    format.xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
     format
         .tag
         (
@@ -228,6 +254,8 @@ bool Foam::functionObjects::vtkClumps::write()
         (
             vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
         );
+        format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
+        writeTypeNames(*format, cloud.types());
         beginPiece(*format, allCentres, allCentres.size(), 0);
         format->beginPointData();
         writeField(*format, "radius", allRadii);
@@ -249,6 +277,7 @@ bool Foam::functionObjects::vtkClumps::write()
         (
             vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
         );
+        format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
         beginPiece(*format, allEnds, 0, allEnds.size()/2);
         format->beginCellData();
         writeField(*format, "axialForce", allTension);

@@ -181,6 +181,7 @@ Foam::completeTime::completeTime(const argList& args)
         )
     )
 {
+    Info<< "deformableParticles " << DEFORMABLE_PARTICLES_VERSION << nl << endl;
     takePurge();
 
     // A file above the shell's limit (ulimit -f) fails, and does not kill

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "costEstimate.H"
+#include "clumpInjector.H"
 #include "memInfo.H"
 #include "spokenTime.H"
 #include "StringStream.H"
@@ -121,6 +122,11 @@ void Foam::costEstimate::print
         << rounded(setUp_).c_str() << " s: "
         << rounded(n*step + setUp_).c_str() << " s ("
         << spokenTime(n*step + setUp_).c_str() << ")" << nl;
+    if (!cloud_.injector().empty())
+    {
+        Info<< "    Clumps that enter during the run are not in this estimate: a"
+            << " run from a later time includes them" << nl;
+    }
     timing.print(Info, total);
     printOthers(n, step - clumps, clumps);
     accuracy.printMeasured(Info);

@@ -6,6 +6,7 @@
 #include "resistanceMeasurement.H"
 #include "incompressibleFlow.H"
 #include "OFstream.H"
+#include "spokenTime.H"
 
 void Foam::resistanceMeasurement::addOptions()
 {
@@ -107,6 +108,11 @@ void Foam::resistanceMeasurement::endStep()
     // The column that these steps were
     const label ended = column() - 1;
     matrix_->store(ended);
+    const label nLeft = matrix_->size() - 1 - ended;
+    Info<< "Resistance: " << ended + 2 << " of " << matrix_->size() + 1
+        << " flows computed, "
+        << spokenTime(nLeft*clock_.elapsedTime()/(ended + 2)).c_str() << " left"
+        << endl;
 
     if (ended == matrix_->size() - 1)
     {

@@ -143,7 +143,8 @@ Foam::boolList Foam::packingRegion::inZone(const dictionary& dict) const
             << " zone. Valid names: " << flatOutput(mesh_.cellZones().names())
             << exit(FatalIOError);
     }
-    boolList in(mesh_.nCells(), false);
+    boolList in;
+    in.resize(mesh_.nCells(), false);
     for (const label celli : mesh_.cellZones()[zonei])
     {
         in[celli] = true;

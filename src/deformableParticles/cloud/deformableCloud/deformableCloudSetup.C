@@ -304,14 +304,15 @@ void Foam::deformableCloud::reportFractions() const
     }
     reduceList(numbers, plusEqOp<label>());
 
-    const Pair<scalar> fractions
-    (
-        placement::fractions(types_, numbers, gSum(mesh_.V()))
-    );
+    const scalar volume = gSum(mesh_.V());
+    const Pair<scalar> fractions(placement::fractions(types_, numbers, volume));
     forAll(types_, i)
     {
-        Info<< "    " << types_[i].name() << ": " << numbers[i] << " clumps"
-            << nl;
+        labelList own(types_.size(), 0);
+        own[i] = numbers[i];
+        const scalar share = placement::fractions(types_, own, volume).first();
+        Info<< "    " << types_[i].name() << ": " << numbers[i]
+            << " clumps, haematocrit " << Foam::name(share).c_str() << nl;
     }
     Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
         << ", volume fraction of the clumps "

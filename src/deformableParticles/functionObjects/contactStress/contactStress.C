@@ -5,7 +5,7 @@
 
 #include "contactStress.H"
 #include "addToRunTimeSelectionTable.H"
-#include "FixedList.H"
+#include "foamCompat.H"
 
 namespace Foam
 {
@@ -14,30 +14,6 @@ namespace functionObjects
     defineTypeNameAndDebug(contactStress, 0);
     addToRunTimeSelectionTable(functionObject, contactStress, dictionary);
 }
-}
-
-
-namespace
-{
-
-using namespace Foam;
-
-typedef FixedList<scalar, 8> totals;
-
-//- Sums of the first six values, largest of the others
-struct combine
-{
-    totals operator()(const totals& a, const totals& b) const
-    {
-        totals result(a);
-        for (label k = 0; k < totals::size(); ++k)
-        {
-            result[k] = k < 6 ? a[k] + b[k] : max(a[k], b[k]);
-        }
-        return result;
-    }
-};
-
 }
 
 
@@ -78,21 +54,22 @@ bool Foam::functionObjects::contactStress::write()
     const vector& w = axes().vorticity;
     const tensor& S = own.virial;
 
-    totals values
+    scalarList sums
     ({
         own.number, sum(mesh_.V().field()),
-        0.5*((e & S & g) + (g & S & e)), e & S & e, g & S & g, w & S & w,
-        own.deepest, own.deepestOfWall
+        0.5*((e & S & g) + (g & S & e)), e & S & e, g & S & g, w & S & w
     });
-    reduce(values, combine());
+    scalarList deepest({own.deepest, own.deepestOfWall});
+    reduceList(sums, plusEqOp<scalar>());
+    reduceList(deepest, maxEqOp<scalar>());
 
     if (Pstream::master())
     {
-        const scalar V = values[1];
+        const scalar V = sums[1];
         writeRow
         ({
-            values[0], values[6], values[7],
-            -values[2]/V, -values[3]/V, -values[4]/V, -values[5]/V
+            sums[0], deepest[0], deepest[1],
+            -sums[2]/V, -sums[3]/V, -sums[4]/V, -sums[5]/V
         });
     }
 

@@ -163,8 +163,11 @@ Foam::label Foam::integrators::velocityVerlet::advance
             const clumpInteraction::member& member = members[m];
             const clumpState& s = *member.end;
             ext[m] = *member.ext;
-            ext[m].f +=
-                group.forces(m) - (ext[m].k & (s.x - member.start->x));
+            const vectorField added
+            (
+                group.forces(m) - (ext[m].k & (s.x - member.start->x))
+            );
+            ext[m].f += added;
 
             externalForces all(ext[m]);
             all.k += group.stiffness(m);

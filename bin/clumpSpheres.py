@@ -12,6 +12,18 @@ import os
 import sys
 
 
+# Of the types in their order, for pictures
+TYPE_COLOURS = {
+    "red": (0.78, 0.13, 0.13), "blue": (0.12, 0.35, 0.75), "orange": (0.9, 0.55, 0.1),
+    "green": (0.2, 0.55, 0.25), "purple": (0.5, 0.3, 0.65), "grey": (0.35, 0.35, 0.35),
+}
+
+
+def typeColour(kind):
+    """Name and components of the colour of a type by its number."""
+    return list(TYPE_COLOURS.items())[kind % len(TYPE_COLOURS)]
+
+
 def frames(case="."):
     """The times that were written [s] and their files."""
     folder = os.path.join(case, "VTK", "clumps")

@@ -91,7 +91,7 @@ void Foam::completeTime::refuse(const string& error) const
     }
     FatalErrorInFunction
         << "Cannot write time " << timeName() << ": " << error.c_str() << nl
-        << "    The last complete time is " << last_ << ". Free disk space or"
+        << "    The last complete time is " << last_ << ". Free disk space or quota, or"
         << " check the write permission, then start the run again."
         << exit(FatalError);
 }

@@ -1,13 +1,17 @@
-"""A red blood cell in shear, seen from several frames: path and angle against those of the first
-frame, after the frame's transformation."""
+"""A red blood cell and a crowd in shear, seen from several frames: path and angle against those of
+the first frame, after the frame's transformation."""
 
+import numpy as np
+
+from frame import matrices
 from results import Results, plt, read, save
 
-length, width, middle = 45e-6, 22.5e-6, 22.5e-6
+length, width = 45e-6, 22.5e-6
+box = 20e-6                     # of the crowd
 speed = 0.6e-3                  # of the moving frame, m/s
 
 
-class Run:
+class Cell:
     """Path along the flow, along the gradient and along the vorticity [um], angle [rad]; sign is
     that of the flow and of the turn"""
 
@@ -34,8 +38,29 @@ class Run:
             last = r["t_s"]
 
 
+class Crowd:
+    """Displacements [um] and angles [rad] of all clumps over time, in the axes of the first frame"""
+
+    def __init__(self, row):
+        self.name = row["frame"]
+        frame = matrices.get(self.name, np.eye(3))
+        rows = read(row["file"])
+        times = sorted({r["t_s"] for r in rows})
+
+        def over_time(*names):
+            return np.array([[[r[n] for n in names] for r in rows if r["t_s"] == t]
+                             for t in times]) @ frame
+
+        steps = np.diff(over_time("x_m", "y_m", "z_m"), axis=0)
+        steps -= box*np.round(steps/box)
+        self.moved = 1e6*np.cumsum(steps, axis=0)
+        turned = np.diff(times)[:, None, None]*over_time("omegax", "omegay", "omegaz")[1:]
+        self.angle = np.linalg.det(frame)*np.cumsum(turned, axis=0)
+
+
 results = Results()
-runs = [Run(row) for row in read("data.csv")]
+rows = read("data.csv")
+runs = [Cell(row) for row in rows if row["scene"] == "cell"]
 base = runs[0]
 path = abs(base.x[-1])
 print(f"path {path:.3f} um, angle {base.angle[-1]:.4f}, y {base.y[-1]:.4f} um")
@@ -49,6 +74,15 @@ for run in runs[1:]:
                 "the first frame")
     results.add(f"angle, {run.name}: difference over the angle", 100*turned, "%", 0, limit,
                 "the first frame")
+
+# The clump that is furthest off, over the mean of all clumps
+crowds = [Crowd(row) for row in rows if row["scene"] == "crowd"]
+for run in crowds[1:]:
+    for what, mine, its in (("position", run.moved[-1], crowds[0].moved[-1]),
+                            ("angle", run.angle[-1], crowds[0].angle[-1])):
+        off = np.linalg.norm(mine - its, axis=1).max()/np.linalg.norm(its, axis=1).mean()
+        results.add(f"{what}, crowd, {run.name}: difference over the mean", 100*off, "%", 0, 0.1,
+                    "the first frame")
 
 figure, axes = plt.subplots(figsize=(6, 4))
 for run in runs:

@@ -81,7 +81,7 @@ for run in crowds[1:]:
     for what, mine, its in (("position", run.moved[-1], crowds[0].moved[-1]),
                             ("angle", run.angle[-1], crowds[0].angle[-1])):
         off = np.linalg.norm(mine - its, axis=1).max()/np.linalg.norm(its, axis=1).mean()
-        results.add(f"{what}, crowd, {run.name}: difference over the mean", 100*off, "%", 0, 0.1,
+        results.add(f"{what}, crowd, {run.name}: difference over the mean", 100*off, "%", 0, 0.05,
                     "the first frame")
 
 figure, axes = plt.subplots(figsize=(6, 4))

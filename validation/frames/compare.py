@@ -39,7 +39,7 @@ class Cell:
 
 
 class Crowd:
-    """Displacements [um] and angles [rad] of all clumps over time, in the axes of the first frame"""
+    """Displacements [um] and angles [rad] of all clumps, in the axes of the first frame"""
 
     def __init__(self, row):
         self.name = row["frame"]

@@ -1,6 +1,5 @@
 """Parameters of twenty red blood cells in shear, seen from a frame: crowd.py <frame>. Places and
-orientations are those of the first frame, which is called "crowd", turned or mirrored about the
-middle of the box."""
+orientations are those of the first frame, turned or mirrored about the middle of the box."""
 
 import sys
 from math import radians

@@ -78,6 +78,8 @@ def limits(row):
             and row["most_correctors"] == 2:
         return 0.5, 0.5, 1
     if row["scene"] == "shear for 0.1 s" and row["settings"] == "long" \
+            or row["scene"] == "refined mesh" and row["settings"] == "long" \
+            and row["deltaT_s"] == 1e-3 and row["most_correctors"] == 3 \
             or row["scene"] == "32 cells" and row["tolerance"] == 0.005:
         return 0.5, 0.5, 0.3
     return None

@@ -89,8 +89,11 @@ def main(arguments):
     case, name, *columns = arguments
     by = options["by"]
     print("\t".join(([by] if by else []) + ["column", "mean", "error", "ofHalf"]))
-    for group, *cells in averages(case, name, columns, options["from"], options["to"],
-                                  options["blocks"], by):
+    means = averages(case, name, columns, options["from"], options["to"], options["blocks"], by)
+    if any(math.isnan(error) and not math.isnan(middle) for _, _, middle, error, _ in means):
+        print(f"Without an error (nan): fewer rows than the {options['blocks']} blocks, or one of "
+              "them is empty; see -blocks", file=sys.stderr)
+    for group, *cells in means:
         head = [f"{group:g}" if isinstance(group, float) else str(group)] if by else []
         print("\t".join(head + [cells[0]] + [f"{value:.6g}" for value in cells[1:]]))
 

@@ -121,6 +121,39 @@ label writeCurve
     return unstable;
 }
 
+
+//- Warn of a first point that is far from the clump at abscissa 0, as where
+//  elongations are given for diameters
+void warnOfOtherQuantity
+(
+    const mechanicalTest& test,
+    const measurement& data,
+    const dictionary& type
+)
+{
+    const bondedClump clump("fit", type);
+    const List<scalarField> rest(test.predict(clump.bonds, scalarField(1, 0.0)));
+    const wordList names(test.quantities());
+    labelHashSet seen;
+    for (const measurement::point& p : data.points())
+    {
+        const word& name = data.quantities()[p.quantity];
+        const scalar atZero = rest[names.find(name)][0];
+        if
+        (
+            seen.insert(p.quantity)
+         && mag(p.value - atZero) > 0.5*mag(atZero)
+        )
+        {
+            WarningInFunction
+                << "The first value of " << name << " in " << data.file()
+                << " is " << p.value << ", but the clump type has " << atZero
+                << " at " << test.abscissa() << " 0. Is the column another"
+                << " quantity (an elongation, say) or in another unit?" << endl;
+        }
+    }
+}
+
 }
 
 
@@ -132,7 +165,7 @@ int main(int argc, char* argv[])
     argList::addArgument("dictionary", "what to fit to what");
     argList::addBoolOption("evaluate", "compare the type as it is");
     argList::addOption("variant", "number", "fit this variant alone");
-    argList args(argc, argv, false, false);
+    argList args(argc, argv);
 
     const cpuTime timer;
     const fileName file(args[1]);
@@ -190,6 +223,7 @@ int main(int argc, char* argv[])
             << '.' << exit(FatalIOError);
     }
 
+    warnOfOtherQuantity(*test, data, type);
     fit solution(*test, data, parameters, type, variants);
     const Eigen::VectorXd y
     (

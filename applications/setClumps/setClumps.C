@@ -21,6 +21,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "completeTime.H"
 #include "deformableCloud.H"
 #include "surfaceCrossing.H"
 #include "vtkClumps.H"
@@ -35,6 +36,7 @@ int main(int argc, char* argv[])
 
     #include "setRootCase.H"
     #include "createTime.H"
+    completeTime::refuseUncopied(runTime);
     #include "createMesh.H"
 
     const fileName folder(runTime.timePath()/Foam::cloud::prefix/"clumps");

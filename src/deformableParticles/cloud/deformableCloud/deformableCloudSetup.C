@@ -44,6 +44,28 @@ IOdictionary readProperties(const fvMesh& mesh)
     );
 }
 
+
+//- With present names. Other entries of the file are the user's own, to be referred
+//  to
+dictionary presentEntries(const dictionary& dict)
+{
+    const dictionary result
+    (
+        withPresentNames(dict, {{"exchange", "couplingScheme"}})
+    );
+    refuseMisspelt
+    (
+        result,
+        {
+            "types", "placement", "injection", "integrator", "contactModel",
+            "wallContactModel", "lubrication", "aggregation", "loads", "effects",
+            "rotation", "couplingScheme", "immersedBoundary", "openPatches",
+            "accuracyLevel"
+        }
+    );
+    return result;
+}
+
 }
 
 Foam::deformableCloud::deformableCloud(const fvMesh& mesh, const word& name)
@@ -65,7 +87,7 @@ Foam::deformableCloud::deformableCloud
     // No floating point trap while the base class reads the files
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
-    dict_(withPresentNames(dict, {{"exchange", "couplingScheme"}})),
+    dict_(presentEntries(dict)),
     g_(Zero),
     effects_(dict_),
     ghosts_(mesh),
@@ -80,17 +102,6 @@ Foam::deformableCloud::deformableCloud
 {
     accuracyLevel::refuseOldEntry(dict_);
 
-    // Other entries of the file are the user's own, to be referred to
-    refuseMisspelt
-    (
-        dict_,
-        {
-            "types", "placement", "injection", "integrator", "contactModel",
-            "wallContactModel", "lubrication", "aggregation", "loads", "effects",
-            "rotation", "couplingScheme", "immersedBoundary", "openPatches",
-            "accuracyLevel"
-        }
-    );
     effects_.decide(dict_, mesh);
     readTypes();
     readLoads();
@@ -119,7 +130,10 @@ Foam::deformableCloud::deformableCloud
     }
     else if (count_.emptied())
     {
-        Info<< "The last clump left the domain in an earlier run" << endl;
+        Info<< "No clumps at time " << mesh_.time().timeName() << ": "
+            << (count_.left() ? "all have left the domain" : "none were placed")
+            << ". The entry placement is not used; setClumps places clumps at this"
+            << " time" << endl;
     }
     else
     {
@@ -303,6 +317,10 @@ void Foam::deformableCloud::reportFractions() const
         ++numbers[p.typeId()];
     }
     reduceList(numbers, plusEqOp<label>());
+    if (!sum(numbers))
+    {
+        return;
+    }
 
     const scalar volume = gSum(mesh_.V());
     const Pair<scalar> fractions(placement::fractions(types_, numbers, volume));

@@ -220,6 +220,7 @@ Foam::completeTime::completeTime(const argList& args)
             << endl;
     }
 
+    refuseUncopied(*this);
     const fileName uniform(timePath()/"uniform");
     if (isFile(uniform/"time"))
     {
@@ -329,6 +330,24 @@ void Foam::completeTime::startLoop(const List<double>& sizes) const
             << "The case cannot be written: " << error.c_str() << nl
             << "    Free disk space or check the write permission, the quota"
             << " and the limit of the shell (ulimit -f)." << exit(FatalError);
+    }
+}
+
+
+void Foam::completeTime::refuseUncopied(const Time& time)
+{
+    const word& name = time.timeName();
+    if
+    (
+        !isDir(time.timePath())
+     && isDir(time.path()/name + ".orig")
+     && isFile(time.path()/time.constant()/"transportProperties")
+    )
+    {
+        FatalErrorInFunction
+            << "There is no folder " << name << ", but " << name << ".orig in "
+            << time.path() << ". Copy it first: cp -r " << name << ".orig "
+            << name << exit(FatalError);
     }
 }
 

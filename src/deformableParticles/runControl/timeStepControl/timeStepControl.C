@@ -44,6 +44,12 @@ Foam::timeStepControl::timeStepControl(Time& runTime)
     viscousLimit_(GREAT),
     warned_(false)
 {
+    // Other entries are those of OpenFOAM and of other solvers
+    refuseMisspelt
+    (
+        runTime_.controlDict(),
+        {"deltaT", "adjustTimeStep", "maxCo", "maxDisplacement", "maxDeltaT"}
+    );
     read();
 }
 

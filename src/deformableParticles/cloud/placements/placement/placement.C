@@ -44,7 +44,7 @@ Foam::label Foam::placement::typeId
 {
     if (!typeIds.found(name))
     {
-        FatalIOErrorInLookup(dict, "clump type", name, typeIds)
+        FatalIOErrorInLookup(dict, "clump", name, typeIds)
             << exit(FatalIOError);
     }
     return typeIds[name];

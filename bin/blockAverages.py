@@ -25,6 +25,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True
+from clumpArguments import parser   # noqa: E402
 from clumpTables import table   # noqa: E402
 
 
@@ -74,24 +75,22 @@ def averages(case, name, columns=(), first=-math.inf, last=math.inf, blocks=8, b
 
 
 def main(arguments):
-    options = {"from": -math.inf, "to": math.inf, "blocks": 8, "by": None}
-    while arguments and arguments[0].startswith("-"):
-        key = arguments.pop(0)[1:]
-        if key not in options or not arguments:
-            sys.exit(__doc__)
-        text = arguments.pop(0)
-        try:
-            options[key] = text if key == "by" else int(text) if key == "blocks" else float(text)
-        except ValueError:
-            sys.exit(f"-{key} needs a number, not '{text}'")
-    if len(arguments) < 2 or options["blocks"] < 2:
-        sys.exit(__doc__)
-    case, name, *columns = arguments
-    by = options["by"]
+    options = parser(__doc__)
+    options.add_argument("-from", dest="first", type=float, default=-math.inf)
+    options.add_argument("-to", type=float, default=math.inf)
+    options.add_argument("-blocks", type=int, choices=range(2, 10001), metavar="2 to 10000",
+                         default=8)
+    options.add_argument("-by")
+    for name in "case", "table":
+        options.add_argument(name)
+    options.add_argument("columns", nargs="*")
+    given = options.parse_args(arguments)
+    by = given.by
     print("\t".join(([by] if by else []) + ["column", "mean", "error", "ofHalf"]))
-    means = averages(case, name, columns, options["from"], options["to"], options["blocks"], by)
+    means = averages(given.case, given.table, given.columns, given.first, given.to, given.blocks,
+                     by)
     if any(math.isnan(error) and not math.isnan(middle) for _, _, middle, error, _ in means):
-        print(f"Without an error (nan): fewer rows than the {options['blocks']} blocks, or one of "
+        print(f"Without an error (nan): fewer rows than the {given.blocks} blocks, or one of "
               "them is empty; see -blocks", file=sys.stderr)
     for group, *cells in means:
         head = [f"{group:g}" if isinstance(group, float) else str(group)] if by else []

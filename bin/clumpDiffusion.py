@@ -22,6 +22,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True
+from clumpArguments import parser   # noqa: E402
 from clumpTables import table   # noqa: E402
 
 
@@ -78,21 +79,17 @@ def diffusion(case, direction="y", period=0, first=-math.inf, last=math.inf, **w
 
 
 def main(arguments):
-    options = {"from": -math.inf, "to": math.inf, "direction": "y", "period": 0.0, "type": None}
-    while arguments and arguments[0].startswith("-"):
-        key = arguments.pop(0)[1:]
-        if key not in options or not arguments:
-            sys.exit(__doc__)
-        text = arguments.pop(0)
-        try:
-            options[key] = text if key in ("direction", "type") else float(text)
-        except ValueError:
-            sys.exit(f"-{key} needs a number, not '{text}'")
-    if len(arguments) != 1 or options["direction"] not in ("x", "y", "z"):
-        sys.exit(__doc__)
-    wanted = {"type": options["type"]} if options["type"] else {}
-    lags, msd, D, error = diffusion(arguments[0], options["direction"], options["period"],
-                                    options["from"], options["to"], **wanted)
+    options = parser(__doc__)
+    options.add_argument("-from", dest="first", type=float, default=-math.inf)
+    options.add_argument("-to", type=float, default=math.inf)
+    options.add_argument("-direction", choices="xyz", default="y")
+    options.add_argument("-period", type=float, default=0)
+    options.add_argument("-type")
+    options.add_argument("case")
+    given = options.parse_args(arguments)
+    wanted = {"type": given.type} if given.type else {}
+    lags, msd, D, error = diffusion(given.case, given.direction, given.period, given.first,
+                                    given.to, **wanted)
     print("lag\tmsd")
     for pair in zip(lags, msd):
         print("\t".join(f"{value:.6g}" for value in pair))

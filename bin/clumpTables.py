@@ -22,6 +22,9 @@ import os
 import re
 import sys
 
+sys.dont_write_bytecode = True
+from clumpArguments import parser   # noqa: E402
+
 
 def number(text):
     try:
@@ -109,17 +112,16 @@ def table(case, name, **wanted):
 
 
 def main(arguments):
-    last, wanted = False, {}
-    while arguments and arguments[0].startswith("-"):
-        option = arguments.pop(0)[1:]
-        if option == "last":
-            last = True
-        elif option in ("clump", "type"):
-            wanted[option] = arguments.pop(0)
-        else:
-            sys.exit(__doc__)
-    case, columns, name = arguments[0], [], None
-    for word in arguments[1:]:
+    options = parser(__doc__)
+    options.add_argument("-last", action="store_true")
+    options.add_argument("-clump")
+    options.add_argument("-type")
+    options.add_argument("case")
+    options.add_argument("columns", nargs="+", metavar="table:column")
+    given = options.parse_args(arguments)
+    wanted = {key: value for key, value in (("clump", given.clump), ("type", given.type)) if value}
+    case, columns, name = given.case, [], None
+    for word in given.columns:
         name, _, column = word.rpartition(":") if ":" in word else (name, "", word)
         columns.append((name, column))
     tables = {name: texts(case, name, **wanted) for name, _ in columns}
@@ -128,7 +130,7 @@ def main(arguments):
     count = len(next(iter(tables.values())))
     if count == 0:
         sys.exit(f"{case}: no row in {', '.join(tables)}")
-    for i in range(count - 1 if last else 0, count):
+    for i in range(count - 1 if given.last else 0, count):
         try:
             print(",".join(tables[name][i][column] for name, column in columns))
         except KeyError as error:

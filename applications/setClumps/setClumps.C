@@ -21,9 +21,9 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "completeTime.H"
 #include "deformableCloud.H"
 #include "surfaceCrossing.H"
+#include "timeDirectories.H"
 #include "vtkClumps.H"
 
 int main(int argc, char* argv[])
@@ -36,7 +36,7 @@ int main(int argc, char* argv[])
 
     #include "setRootCase.H"
     #include "createTime.H"
-    completeTime::refuseUncopied(runTime);
+    timeDirectories::refuseUncopied(runTime);
     #include "createMesh.H"
 
     const fileName folder(runTime.timePath()/Foam::cloud::prefix/"clumps");

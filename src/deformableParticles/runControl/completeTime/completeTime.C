@@ -334,24 +334,6 @@ void Foam::completeTime::startLoop(const List<double>& sizes) const
 }
 
 
-void Foam::completeTime::refuseUncopied(const Time& time)
-{
-    const word& name = time.timeName();
-    if
-    (
-        !isDir(time.timePath())
-     && isDir(time.path()/name + ".orig")
-     && isFile(time.path()/time.constant()/"transportProperties")
-    )
-    {
-        FatalErrorInFunction
-            << "There is no folder " << name << ", but " << name << ".orig in "
-            << time.path() << ". Copy it first: cp -r " << name << ".orig "
-            << name << exit(FatalError);
-    }
-}
-
-
 void Foam::completeTime::need(const word& file, const word& beside) const
 {
     const fileName start(timePath());

@@ -8,6 +8,7 @@
 #include "HashSet.H"
 #include "OSspecific.H"
 #include "Pstream.H"
+#include "Time.H"
 
 Foam::fileName Foam::timeDirectories::mark(const fileName& directory)
 {
@@ -83,5 +84,23 @@ void Foam::timeDirectories::setAside(const fileName& directory)
     {
         FatalErrorInFunction
             << "cannot remove " << directory << exit(FatalError);
+    }
+}
+
+
+void Foam::timeDirectories::refuseUncopied(const Time& time)
+{
+    const word& name = time.timeName();
+    if
+    (
+        !isDir(time.timePath())
+     && isDir(time.path()/name + ".orig")
+     && isFile(time.path()/time.constant()/"transportProperties")
+    )
+    {
+        FatalErrorInFunction
+            << "There is no folder " << name << ", but " << name << ".orig in "
+            << time.path() << ". Copy it first: cp -r " << name << ".orig "
+            << name << exit(FatalError);
     }
 }

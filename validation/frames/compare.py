@@ -3,12 +3,13 @@ the first frame, after the frame's transformation."""
 
 import numpy as np
 
-from frame import matrices
+from frame import matrices, speed
 from results import Results, plt, read, save
 
 length, width = 45e-6, 22.5e-6
 box = 20e-6                     # of the crowd
-speed = 0.6e-3                  # of the moving frame, m/s
+# The mesh elsewhere is another discretisation, everything else the same one
+otherMesh = ("moving", "by half a mesh cell elsewhere")
 
 
 class Cell:
@@ -53,6 +54,8 @@ class Crowd:
 
         steps = np.diff(over_time("x_m", "y_m", "z_m"), axis=0)
         steps -= box*np.round(steps/box)
+        if self.name == "moving":
+            steps += np.diff(times)[:, None, None]*np.array((speed, 0, 0))
         self.moved = 1e6*np.cumsum(steps, axis=0)
         turned = np.diff(times)[:, None, None]*over_time("omegax", "omegay", "omegaz")[1:]
         self.angle = np.linalg.det(frame)*np.cumsum(turned, axis=0)
@@ -65,9 +68,7 @@ base = runs[0]
 path = abs(base.x[-1])
 print(f"path {path:.3f} um, angle {base.angle[-1]:.4f}, y {base.y[-1]:.4f} um")
 for run in runs[1:]:
-    # The mesh elsewhere is another discretisation, everything else the same one
-    mesh = run.name in ("moving", "by half a mesh cell elsewhere")
-    limit = 0.5 if mesh else 0.05
+    limit = 0.5 if run.name in otherMesh else 0.05
     off = max(abs(getattr(run, c)[-1] - getattr(base, c)[-1]) for c in "xyz")
     turned = abs(run.angle[-1] - base.angle[-1])/abs(base.angle[-1])
     results.add(f"position, {run.name}: difference over the path", 100*off/path, "%", 0, limit,
@@ -80,9 +81,23 @@ crowds = [Crowd(row) for row in rows if row["scene"] == "crowd"]
 for run in crowds[1:]:
     for what, mine, its in (("position", run.moved[-1], crowds[0].moved[-1]),
                             ("angle", run.angle[-1], crowds[0].angle[-1])):
-        off = np.linalg.norm(mine - its, axis=1).max()/np.linalg.norm(its, axis=1).mean()
-        results.add(f"{what}, crowd, {run.name}: difference over the mean", 100*off, "%", 0, 0.05,
-                    "the first frame")
+        off = np.linalg.norm(mine - its, axis=1).max()
+        if what == "angle" and run.name in otherMesh:
+            # What the limit of 0.5 % allows the cell alone, whose angle differs by the jitter of
+            # the mesh, too, but is ten times as large
+            results.add(f"angle, crowd, {run.name}: difference", off, "rad", 0,
+                        0.005*abs(base.angle[-1]), "the first frame")
+        else:
+            results.add(f"{what}, crowd, {run.name}: difference over the mean",
+                        100*off/np.linalg.norm(its, axis=1).mean(), "%", 0,
+                        0.5 if run.name in otherMesh else 0.05, "the first frame")
+if crowds:
+    balances = [row for run in crowds
+                for row in read(f"history-balance-{run.name.replace(' ', '-')}.csv")]
+    for name, what, limit in (("thirdLaw", "third law", 1e-14),
+                              ("total", "balance of momentum", 1e-3)):
+        results.add(f"{what}, crowd in all frames: largest error over the sum of the forces",
+                    max(row[name] for row in balances), "-", 0, limit, "identity")
 
 figure, axes = plt.subplots(figsize=(6, 4))
 for run in runs:

@@ -1,14 +1,16 @@
 """Parameters of twenty red blood cells in shear, seen from a frame: crowd.py <frame>. Places and
-orientations are those of the first frame, turned or mirrored about the middle of the box."""
+orientations are those of the first frame, turned or mirrored about the middle of the box, or by
+half a mesh cell elsewhere along the flow and the vorticity; a moving frame has another speed of
+walls and fluid."""
 
 import sys
 from math import radians
 
 import numpy as np
 
-from frame import matrices
+from frame import matrices, speed
 
-length, layers = 20e-6, 5
+length, across, layers = 20e-6, 27, 5
 shear = 200                     # 1/s
 
 
@@ -28,7 +30,9 @@ def axis_angle(matrix):
     return axis/np.linalg.norm(axis), np.degrees(np.arctan2(sine, cosine))
 
 
-frame = matrices.get(sys.argv[1], np.eye(3))
+name = sys.argv[1]
+frame = matrices.get(name, np.eye(3))
+elsewhere = 0.5*length/across*np.array((1, 0, 1))*("half a mesh cell" in name)
 # A ring that is mirrored in its own plane is the same body
 body = np.diag([1, 1, np.linalg.det(frame)])
 random = np.random.default_rng(1)
@@ -40,7 +44,7 @@ for i in range(2):
             place += random.uniform(-0.2e-6, 0.2e-6, 3)
             turn = rotation((1, 0, 0), radians(90)) @ rotation(
                 random.normal(size=3), radians(random.uniform(1, 5)))
-            place = frame @ (place - length/2) + length/2
+            place = frame @ (place - length/2) + length/2 + elsewhere
             axis, angle = axis_angle(frame @ turn @ body)
             clumps.append("{ type body; position (%.12g %.12g %.12g);" % tuple(place)
                           + " axis (%.12g %.12g %.12g);" % tuple(axis)
@@ -50,6 +54,7 @@ d = "xyz"[int(np.argmax(gradient))]
 top = flow*shear*length/2
 if (frame @ (0, 1, 0)).sum() < 0:
     top = -top
-print(f"{d}Type wall; {d}U fixedValue; {d}P zeroGradient;",
-      f"{d}0 (%g %g %g); {d}1 (%g %g %g);" % (*(-top + 0), *(top + 0)))
+moving = np.array((-speed*(name == "moving"), 0, 0))
+print("flow (%g %g %g);" % tuple(moving), f"{d}Type wall; {d}U fixedValue; {d}P zeroGradient;",
+      f"{d}0 (%g %g %g); {d}1 (%g %g %g);" % (*(moving - top), *(moving + top)))
 print("places { type list; clumps (", *clumps, "); }", sep="\n")

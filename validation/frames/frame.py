@@ -1,4 +1,5 @@
-"""Frames of reference: the matrix that takes a vector of the first frame to that of another."""
+"""Frames of reference: the matrix that takes a vector of the first frame to that of another, and
+the speed [m/s] of the moving one along the flow."""
 
 import numpy as np
 
@@ -8,3 +9,5 @@ matrices = {
     # Flow along z, gradient along x, vorticity along y
     "other axes": np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]]),
 }
+
+speed = 0.6e-3

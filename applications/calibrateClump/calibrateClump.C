@@ -29,7 +29,7 @@ Description
         type        { ... }                     // mandatory: see clumpType
         variants    ( {...} {...} );            // default none: changes to the type
         parameters  { ... }                     // mandatory: see freeParameters; may be {}
-        norm        2;                          // [-], mandatory: see fit
+        norm        2;                          // [-], default 2: see fit
         starts      4;                          // [-], default 4: see fit
     \endverbatim
 
@@ -204,8 +204,8 @@ int main(int argc, char* argv[])
         if (v < 0 || v >= variants.size())
         {
             FatalIOErrorInFunction(dict)
-                << "Option -variant is " << v << ", but there are only "
-                << variants.size() << " variants." << exit(FatalIOError);
+                << "Option -variant is " << v << ", but the entry 'variants' has "
+                << variants.size() << ", counted from 0." << exit(FatalIOError);
         }
         PtrList<dictionary> one(1);
         one.set(0, variants.set(v, nullptr));
@@ -229,7 +229,7 @@ int main(int argc, char* argv[])
     (
         solution.run
         (
-            getPositive(dict, "norm"),
+            getPositiveOrDefault(dict, "norm", 2),
             dict.found("starts") ? getNumber(dict, "starts", 1, 1000) : 4
         )
     );

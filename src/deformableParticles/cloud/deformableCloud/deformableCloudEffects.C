@@ -7,7 +7,7 @@
 
 void Foam::deformableCloud::refuseIdleEffects() const
 {
-    effects_.require("gravity", mag(g_) > 0, "constant/g has no gravity");
+    effects_.require("gravity", mag(g_) > 0, "constant/g is absent or zero");
     effects_.require
     (
         "contact", contacts_.active(), "the type of contactModel is none"
@@ -62,7 +62,7 @@ void Foam::deformableCloud::decideGravity()
     (
         "gravity",
         on,
-        mag(g_) == 0 ? "constant/g has no gravity"
+        mag(g_) == 0 ? "constant/g is absent or zero"
       : on ? "the densities of clumps and fluid differ"
       : "the densities of clumps and fluid are equal"
     );
@@ -81,7 +81,11 @@ void Foam::deformableCloud::decideContact()
     }
     else if (nClumps() < 2 && !ghosts_.meetsItself())
     {
-        effects_.decide("contact", false, "one clump in the domain");
+        effects_.decide
+        (
+            "contact", false,
+            nClumps() ? "one clump in the domain" : "no clump in the domain"
+        );
     }
     else
     {

@@ -150,7 +150,12 @@ void Foam::deformableCloud::startWithFlow
     const volScalarField& nu
 )
 {
-    if (!coupled() || returnReduce(followFlow_.empty(), andOp<bool>()))
+    if (!coupled())
+    {
+        return;
+    }
+    openPatches_.warnOfClosed(U);
+    if (returnReduce(followFlow_.empty(), andOp<bool>()))
     {
         return;
     }

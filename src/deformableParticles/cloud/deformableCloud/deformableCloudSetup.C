@@ -153,8 +153,12 @@ Foam::deformableCloud::deformableCloud
 
     if (!openPatches_.empty())
     {
-        Info<< "Clumps may leave through the patches "
-            << flatOutput(openPatches_.names()) << endl;
+        Info<< "Clumps may leave through:";
+        for (const word& patch : openPatches_.names())
+        {
+            Info<< ' ' << patch;
+        }
+        Info<< endl;
     }
     updateGhosts();
     if (!restarts && nClumps())
@@ -324,8 +328,10 @@ void Foam::deformableCloud::reportFractions() const
 
     const scalar volume = gSum(mesh_.V());
     const Pair<scalar> fractions(placement::fractions(types_, numbers, volume));
+    bool someFixed = false;
     forAll(types_, i)
     {
+        someFixed = someFixed || types_[i].fixed();
         labelList own(types_.size(), 0);
         own[i] = numbers[i];
         const scalar share = placement::fractions(types_, own, volume).first();
@@ -333,7 +339,7 @@ void Foam::deformableCloud::reportFractions() const
             << " clumps, haematocrit " << Foam::name(share).c_str() << nl;
     }
     Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
-        << ", volume fraction of the clumps "
+        << ", volume fraction of the clumps " << (someFixed ? "that move " : "")
         << Foam::name(fractions.second()).c_str() << endl;
 }
 
@@ -368,6 +374,8 @@ void Foam::deformableCloud::place()
         return;
     }
 
+    // Before a packing that takes long
+    ghostExchange::checkPatches(mesh_.boundaryMesh());
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place
     (

@@ -6,6 +6,7 @@
 #include "openPatches.H"
 #include "checkedEntries.H"
 #include "foamCompat.H"
+#include "volFields.H"
 #include "wallPolyPatch.H"
 
 namespace
@@ -67,6 +68,31 @@ Foam::wordList Foam::openPatches::names() const
         result.append(mesh_.boundaryMesh()[patchi].name());
     }
     return result;
+}
+
+
+void Foam::openPatches::warnOfClosed(const volVectorField& U) const
+{
+    for (const label patchi : patches_)
+    {
+        const fvPatchVectorField& u = U.boundaryField()[patchi];
+        bool closed = u.type() == "noSlip" || u.type() == "slip";
+        if (u.type() == "fixedValue")
+        {
+            const vectorField n(u.patch().nf());
+            const scalar across = gSum(mag(u & n));
+            closed = across <= 1e-9*gSum(mag(u));
+        }
+        if (closed)
+        {
+            WarningInFunction
+                << "Patch " << u.patch().name() << " is of the type "
+                << u.patch().patch().type() << ", but its velocity, " << u.type()
+                << ", does not cross it. Clumps near it lose their action on the"
+                << " fluid, as before an outlet. If it is a wall, give it the type"
+                << " wall in constant/polyMesh/boundary." << endl;
+        }
+    }
 }
 
 

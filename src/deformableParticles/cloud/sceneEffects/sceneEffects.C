@@ -273,7 +273,9 @@ void Foam::sceneEffects::print(Ostream& os)
     os  << nl << "Effects" << nl;
     for (const effect& e : effects_)
     {
-        os  << "    " << e.name << ": " << (e.active ? "on" : "off")
+        const bool isFrozen = frozen_ && &e == lookup("fluid");
+        os  << "    " << e.name << ": "
+            << (isFrozen ? "frozen" : e.active ? "on" : "off")
             << ", " << e.reason.c_str() << nl;
     }
     os  << endl;

@@ -35,10 +35,10 @@ const char* insteadOf(const word& type)
     return "Make the faces of both sides match and use a pair of type cyclic.";
 }
 
+}
 
-//- With the first clump: fatal where clumps could not cross or touch a patch. What lies behind it
-//  would be missing from walls, contacts and forces
-void checkPatches(const polyBoundaryMesh& patches)
+
+void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
 {
     const label n = patches.nNonProcessor();
     labelList faces(n, Zero);
@@ -77,19 +77,15 @@ void checkPatches(const polyBoundaryMesh& patches)
 
         if (faces[patchi] && !supported)
         {
-            FatalIOError
-            (
-                FUNCTION_NAME, __FILE__, __LINE__, patches.objectPath(), 0
-            )
-                << "Patch " << patches[patchi].name() << " is of type " << type
+            FatalErrorInFunction
+                << "Patch " << patches[patchi].name() << " of "
+                << patches.objectPath() << " is of type " << type
                 << (rotates[patchi] ? " (rotational)" : "")
                 << ". Clumps cannot have images behind such a patch; supported"
                 << " types are wall, patch and translational cyclic." << nl
-                << "    " << insteadOf(type) << exit(FatalIOError);
+                << "    " << insteadOf(type) << exit(FatalError);
         }
     }
-}
-
 }
 
 

@@ -73,7 +73,7 @@ bool Foam::functionObjects::haematocrit::write()
 
     if (Pstream::master())
     {
-        const scalar flow = mag(sums[1]) > 0.05*sums[2] ? sums[1] : 0;
+        const scalar flow = mag(sums[1]) > 0.5*sums[2] ? sums[1] : 0;
         scalar volume = 0;
         scalar ofClumps = 0;
         scalarList row(6 + sums.size() - first);

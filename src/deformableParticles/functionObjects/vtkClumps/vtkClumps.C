@@ -268,6 +268,7 @@ bool Foam::functionObjects::vtkClumps::write()
         endPiece(*format);
         refuseUnwritten(os, file);
         spheres_.append(time_.value(), file.name());
+        spheres_.sort();
         spheres_.write(dir/"spheres.vtp");
     }
     {
@@ -286,6 +287,7 @@ bool Foam::functionObjects::vtkClumps::write()
         endPiece(*format);
         refuseUnwritten(os, file);
         bonds_.append(time_.value(), file.name());
+        bonds_.sort();
         bonds_.write(dir/"bonds.vtp");
     }
 

@@ -404,7 +404,7 @@ bool Foam::completeTime::run() const
     const label signal = returnReduce(endSignal::received(), maxOp<label>());
     if (more && signal && stopAt_ != saWriteNow)
     {
-        Info<< "Signal " << signal << " received: the run writes the next time"
+        Info<< "--> Signal " << signal << " received: the run writes the next time"
             << " step and ends with status 0" << nl << endl;
         stopAt(saWriteNow);
     }

@@ -172,6 +172,10 @@ void Foam::resistanceMatrix::print(Ostream& os, const scalar mu)
 void Foam::resistanceMatrix::write(Ostream& os) const
 {
     os.precision(10);
+    os  << "# resistance [-] over 6 pi mu r of the first sphere; rows forces, columns"
+        << " velocities, x y z of sphere 0, 1, ..."
+        << (rotation_ ? ", then torques over r and angular velocities times r" : "")
+        << nl;
     for (label i = 0; i < size_; ++i)
     {
         for (label j = 0; j < size_; ++j)

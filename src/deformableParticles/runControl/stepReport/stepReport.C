@@ -30,6 +30,7 @@ Foam::stepReport::stepReport
     continuityError_(0),
     cumulativeError_(0),
     nSteps_(0),
+    end_(runTime.endTime().value()),
     quiet_(quiet),
     said_(start_),
     saidPart_(0)
@@ -38,7 +39,7 @@ Foam::stepReport::stepReport
 
 Foam::scalar Foam::stepReport::part() const
 {
-    const scalar span = runTime_.endTime().value() - firstTime_;
+    const scalar span = end_ - firstTime_;
     const scalar done = runTime_.value() - firstTime_;
     return done < span ? done/span : 1;
 }
@@ -67,12 +68,12 @@ void Foam::stepReport::printProgress()
     const label percent(100*part());
     const bool last =
         runTime_.value()
-      > runTime_.endTime().value() - 0.5*runTime_.deltaTValue();
+      > min(end_, runTime_.endTime().value()) - 0.5*runTime_.deltaTValue();
     if (last || (percent > saidPart_ && since(said_) > 2))
     {
         logBuffer::quieten(false);
         Info<< "Time " << runTime_.timeName() << " of "
-            << Time::timeName(runTime_.endTime().value()) << ", " << percent << " %, "
+            << Time::timeName(end_) << ", " << percent << " %, "
             << spokenTime(since(start_)).c_str() << ", left " << left().c_str()
             << ", " << cloud_.nClumps() << " clumps" << endl;
         logBuffer::quieten(true);
@@ -118,6 +119,10 @@ void Foam::stepReport::continuity(const surfaceScalarField& phi)
 void Foam::stepReport::endStep()
 {
     ++nSteps_;
+    if (runTime_.stopAt() == Time::saEndTime)
+    {
+        end_ = runTime_.endTime().value();
+    }
     printOverlaps();
     Info<< "Step " << since(stepStart_) << " s, total "
         << spokenTime(since(start_)).c_str() << ", left " << left().c_str()
@@ -137,8 +142,9 @@ void Foam::stepReport::explainIdle() const
         << ", and endTime in system/controlDict is "
         << Time::timeName(runTime_.endTime().value()) << '.' << nl
         << "    To continue, raise endTime. To start anew, remove the later times"
-        << " (foamListTimes -rm" << (Pstream::parRun() ? " -processor" : "")
-        << ") or set startFrom startTime." << nl << nl << "End" << nl << endl;
+        << " and the tables (./Allclean of a tutorial; foamListTimes -rm"
+        << (Pstream::parRun() ? " -processor" : "")
+        << " and rm -r postProcessing)." << nl << nl << "End" << nl << endl;
 }
 
 

@@ -135,8 +135,15 @@ Foam::label Foam::clumpInjector::inject
         );
         if (by.nWaiting() != waited_[i])
         {
-            Info<< "Injection " << by.name() << ": " << by.nWaiting()
-                << " clumps wait for a free place" << endl;
+            Info<< "Injection " << by.name() << ": ";
+            if (by.nWaiting())
+            {
+                Info<< by.nWaiting() << " clumps wait for a free place" << endl;
+            }
+            else
+            {
+                Info<< "no clump waits any more" << endl;
+            }
             waited_[i] = by.nWaiting();
         }
     }

@@ -116,6 +116,7 @@ Foam::labelHashSet Foam::injection::openPatches(const word& entry) const
             FatalIOErrorInFunction(dict_)
                 << "Entry '" << entry << "': " << name << " is no open patch of"
                 << " the mesh. Valid names: " << flatOutput(valid)
+                << (valid.empty() ? ", as the mesh has no patch of type patch" : "")
                 << exit(FatalIOError);
         }
         result.insert(patches.findPatchID(name));

@@ -331,7 +331,7 @@ Foam::scalar Foam::clumpPacking::pack
         }
         if (nSteps_ % 100 == 0)
         {
-            Info<< "    step " << nSteps_ << ": " << 100*scale_
+            Info<< "    step " << nSteps_ << ": " << 0.1*round(1000*scale_)
                 << " % of the size, deepest overlap " << deepest
                 << " radii" << endl;
         }

@@ -86,12 +86,12 @@ def main(arguments):
     options.add_argument("columns", nargs="*")
     given = options.parse_args(arguments)
     by = given.by
-    print("\t".join(([by] if by else []) + ["column", "mean", "error", "ofHalf"]))
     means = averages(given.case, given.table, given.columns, given.first, given.to, given.blocks,
                      by)
     if any(math.isnan(error) and not math.isnan(middle) for _, _, middle, error, _ in means):
         print(f"Without an error (nan): fewer rows than the {given.blocks} blocks, or one of "
               "them is empty; see -blocks", file=sys.stderr)
+    print("\t".join(([by] if by else []) + ["column", "mean", "error", "ofHalf"]))
     for group, *cells in means:
         head = [f"{group:g}" if isinstance(group, float) else str(group)] if by else []
         print("\t".join(head + [cells[0]] + [f"{value:.6g}" for value in cells[1:]]))

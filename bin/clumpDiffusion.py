@@ -93,7 +93,9 @@ def main(arguments):
     print("lag\tmsd")
     for pair in zip(lags, msd):
         print("\t".join(f"{value:.6g}" for value in pair))
-    print(f"D = {D:.4g} m2/s, standard error {error:.2g}")
+    print(f"D = {D:.4g} m2/s, "
+          + ("no standard error: it needs eight clumps" if math.isnan(error)
+             else f"standard error {error:.2g}"))
 
 
 if __name__ == "__main__":

@@ -129,7 +129,8 @@ def main(arguments):
         sys.exit(f"{case}: the tables {', '.join(tables)} have different numbers of rows")
     count = len(next(iter(tables.values())))
     if count == 0:
-        sys.exit(f"{case}: no row in {', '.join(tables)}")
+        sys.exit(f"{case}: no row" + "".join(f" of {key} {value}" for key, value in wanted.items())
+                 + f" in {', '.join(tables)}")
     for i in range(count - 1 if given.last else 0, count):
         try:
             print(",".join(tables[name][i][column] for name, column in columns))

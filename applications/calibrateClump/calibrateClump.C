@@ -20,7 +20,7 @@ Description
         residuals.csv   the residual of every point
         curve.csv       a smooth curve
 
-    applications/calibrateClump/plotCalibration draws the points and the curve.
+    bin/plotCalibration draws the points and the curve.
 
     Usage
     \verbatim

@@ -69,7 +69,7 @@ class Code:
 
 def kindOf(entry, code):
     if entry.isDict:
-        return "dictionary"
+        return "list of dictionaries" if entry.isList else "dictionary"
     kind = next((c.types[entry.name] for c in code if entry.name in c.types), "")
     if kind not in ("", "dictionary"):
         return kind

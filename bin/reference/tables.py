@@ -106,9 +106,11 @@ def familyTable(members):
         seen = set()
         code = codeFor(header)
         for type_, root, entries in header.models():
+            lists = {tuple(e.path) for e in entries if e.isList}
             for entry in entries:
                 p = tuple(entry.path[len(root):])
-                if p in seen or p in common or p[-1] in OPENFOAM:
+                ofModel = p[-1] in OPENFOAM and tuple(entry.path[:-1]) not in lists
+                if p in seen or p in common or ofModel:
                     continue
                 seen.add(p)
                 table.append(row(header.type, p, entry, code, header.place))

@@ -97,6 +97,7 @@ def parseBlock(text):
                 if not lists or lists[-1] != depth:
                     latest = Entry(path + [value[0]])
                     latest.isDict = latest.isList = True
+                    latest.comment, early = early, ""
                     entries.append(latest)
                     path.append(value[0])
                     lists.append(depth)

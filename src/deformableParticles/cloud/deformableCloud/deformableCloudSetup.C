@@ -374,8 +374,6 @@ void Foam::deformableCloud::place()
         return;
     }
 
-    // Before a packing that takes long
-    ghostExchange::checkPatches(mesh_.boundaryMesh());
     const dictionary& dict = getDict(dict_, "placement");
     selectModel<placement>(dict, types_, typeIds_)->place
     (

@@ -5,6 +5,7 @@
 
 #include "random.H"
 #include "clumpPacking.H"
+#include "ghostExchange.H"
 #include "givenRotation.H"
 #include "treeDataCell.H"
 #include "uniformRotation.H"
@@ -169,6 +170,7 @@ void Foam::clumpPlacements::random::place
 {
     packingRegion region(dict_, mesh);
     const labelList wanted(numbers(region.volume()));
+    ghostExchange::checkPatches(mesh.boundaryMesh());
     scatter(region, wanted, clumps);
 
     Info<< "Packing " << sum(wanted) << " clumps" << endl;

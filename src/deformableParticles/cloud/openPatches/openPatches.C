@@ -47,16 +47,19 @@ Foam::openPatches::openPatches
 
     forAll(faces, patchi)
     {
-        const polyPatch& pp = patches[patchi];
-        if
-        (
-            faces[patchi] && !pp.coupled() && !isA<wallPolyPatch>(pp)
-         && !polyPatch::constraintType(pp.type())
-        )
+        if (faces[patchi] && isOpen(patches[patchi]))
         {
             patches_.append(patchi);
         }
     }
+}
+
+
+bool Foam::openPatches::isOpen(const polyPatch& patch)
+{
+    return
+        !patch.coupled() && !isA<wallPolyPatch>(patch)
+     && !polyPatch::constraintType(patch.type());
 }
 
 

@@ -6,7 +6,7 @@
 #include "injection.H"
 #include "DynamicList.H"
 #include "FlatOutput.H"
-#include "wallPolyPatch.H"
+#include "openPatches.H"
 
 namespace Foam
 {
@@ -98,11 +98,7 @@ Foam::labelHashSet Foam::injection::openPatches(const word& entry) const
     for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         const polyPatch& pp = patches[patchi];
-        if
-        (
-            !pp.coupled() && !isA<wallPolyPatch>(pp)
-         && !polyPatch::constraintType(pp.type())
-        )
+        if (Foam::openPatches::isOpen(pp))
         {
             valid.append(pp.name());
         }

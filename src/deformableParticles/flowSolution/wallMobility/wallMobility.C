@@ -12,12 +12,11 @@
 Foam::wallMobility::wallMobility(const volVectorField& U)
 :
     U_(U),
-    deltaT_(0),
-    nu_(0)
+    deltaT_(0)
 {}
 
 
-void Foam::wallMobility::update(const volScalarField& nu)
+void Foam::wallMobility::solve(const volScalarField& nu)
 {
     const fvMesh& mesh = U_.mesh();
     const auto& patches = U_.boundaryField();
@@ -33,13 +32,17 @@ void Foam::wallMobility::update(const volScalarField& nu)
             types[i] = "fixedValue";
         }
     }
-    volScalarField m
+    mobility_.reset
     (
-        IOobject("wallMobility", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimTime, Zero),
-        types
+        new volScalarField
+        (
+            IOobject("wallMobility", mesh.time().timeName(), mesh),
+            mesh,
+            dimensionedScalar(dimTime, Zero),
+            types
+        )
     );
+    volScalarField& m = mobility_();
     const dimensionedScalar rate("rate", dimless/dimTime, 1/deltaT_);
 
     // So small that the result is the same on any number of processors
@@ -56,24 +59,33 @@ void Foam::wallMobility::update(const volScalarField& nu)
     );
     equation.solve(solver);
 
-    // A - H1 without clumps: 1/dt and what the walls hold back
-    scalarField alone(mesh.nCells(), rate.value());
-    forAll(patches, i)
+    // No mesh cell moves less than it does on its own
+    m.primitiveFieldRef() =
+        max(m.primitiveField(), 1/equation.A()().primitiveField());
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::wallMobility::resistance
+(
+    const volScalarField& nu
+)
+{
+    const fvMesh& mesh = nu.mesh();
+    const scalar dt = mesh.time().deltaTValue();
+    const scalarField& V = mesh.V();
+    if
+    (
+        !mobility_.valid()
+     || mag(dt - deltaT_) > 0.1*deltaT_
+     || gSum(V*mag(nu.primitiveField() - nu_)) > 0.1*gSum(V*nu_)
+    )
     {
-        if (patches[i].coupled())
-        {
-            continue;
-        }
-        const labelUList& cells = patches[i].patch().faceCells();
-        forAll(cells, facei)
-        {
-            alone[cells[facei]] +=
-                equation.internalCoeffs()[i][facei]/mesh.V()[cells[facei]];
-        }
+        deltaT_ = dt;
+        nu_ = nu.primitiveField();
+        solve(nu);
     }
 
-    // No mesh cell moves less than it does on its own
-    resistance_.reset
+    tmp<volScalarField> tresistance
     (
         new volScalarField
         (
@@ -83,29 +95,29 @@ void Foam::wallMobility::update(const volScalarField& nu)
             "zeroGradient"
         )
     );
-    resistance_->primitiveFieldRef() =
-        1/max(m.primitiveField(), 1/equation.A()().primitiveField()) - alone;
-    resistance_->correctBoundaryConditions();
-}
+    volScalarField& resistance = tresistance.ref();
+    scalarField& r = resistance.primitiveFieldRef();
+    r = 1/mobility_->primitiveField() - 1/dt;
 
-
-const Foam::volScalarField& Foam::wallMobility::resistance
-(
-    const volScalarField& nu
-)
-{
-    const scalar dt = nu.mesh().time().deltaTValue();
-    const scalar mean = nu.weightedAverage(nu.mesh().V()).value();
-    if
-    (
-        !resistance_.valid()
-     || mag(dt - deltaT_) > 0.1*deltaT_
-     || mag(mean - nu_) > 0.1*nu_
-    )
+    // What the walls hold back in the momentum equation
+    for (const fvPatchScalarField& m : mobility_->boundaryField())
     {
-        deltaT_ = dt;
-        nu_ = mean;
-        update(nu);
+        if (m.coupled())
+        {
+            continue;
+        }
+        const fvPatch& patch = m.patch();
+        const scalarField friction
+        (
+          - nu.boundaryField()[patch.index()]*patch.magSf()
+           *m.gradientInternalCoeffs()
+        );
+        const labelUList& cells = patch.faceCells();
+        forAll(cells, facei)
+        {
+            r[cells[facei]] -= friction[facei]/V[cells[facei]];
+        }
     }
-    return resistance_();
+    resistance.correctBoundaryConditions();
+    return tresistance;
 }

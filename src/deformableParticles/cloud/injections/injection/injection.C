@@ -141,6 +141,18 @@ Foam::boundBox Foam::injection::around(const boundBox& box) const
 }
 
 
+Foam::labelList Foam::injection::storedLabels
+(
+    const dictionary& state,
+    const word& entry
+)
+{
+    ITstream& is = state.lookup(entry);
+    is.format(IOstream::ASCII);
+    return labelList(is);
+}
+
+
 void Foam::injection::readState(const dictionary& state)
 {
     nInjected_ = state.get<label>("injected");

@@ -252,7 +252,7 @@ void Foam::clumpInjections::preInlet::readState(const dictionary& state)
 {
     injection::readState(state);
     members_.clear();
-    members_.insert(state.get<labelList>("stretch"));
+    members_.insert(storedLabels(state, "stretch"));
     nLost_ = state.get<label>("lost");
 }
 

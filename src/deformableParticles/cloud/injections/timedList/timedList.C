@@ -120,7 +120,7 @@ void Foam::clumpInjections::timedList::inject
 void Foam::clumpInjections::timedList::readState(const dictionary& state)
 {
     injection::readState(state);
-    const labelList pending(state.get<labelList>("pending"));
+    const labelList pending(storedLabels(state, "pending"));
     pending_.clear();
     for (const label k : pending)
     {

@@ -66,7 +66,8 @@ for name, limit, chosen in (
         base = next(other for other in main
                     if other["H"] == run["H"] and other["rate"] == run["rate"])
         change = run["muRel"]/base["muRel"] - 1
-        results.add(f"{name}: change of the viscosity", change, "-", 0, limit, "D/dx 4, ten steps per unit")
+        results.add(f"{name}: change of the viscosity", change, "-", 0, limit,
+                    "D/dx 4, ten steps per unit")
         results.report(f"{name}: standard error of the change", (1 + change)*(
             (run["muRel_error"]/run["muRel"])**2 + (base["muRel_error"]/base["muRel"])**2)**0.5,
             "-", "blocks")

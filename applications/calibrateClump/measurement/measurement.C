@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "measurement.H"
+#include "HashSet.H"
 #include "modelSelection.H"
 #include "MinMax.H"
 #include "Pair.H"
@@ -114,6 +115,7 @@ Foam::measurement::measurement
     const scalar abscissaUnit = getPositive(abscissa, "unit");
     const dictionary& values = dict.subDict("values");
     const List<scalarMinMax> heldOut(intervals(dict));
+    labelHashSet matched;        // intervals with a point
 
     for (const word& q : values.toc())
     {
@@ -141,9 +143,13 @@ Foam::measurement::measurement
         abscissas_.append(x);
 
         bool isHeldOut = false;
-        for (const scalarMinMax& interval : heldOut)
+        forAll(heldOut, k)
         {
-            isHeldOut = isHeldOut || interval.contains(inTable);
+            if (heldOut[k].contains(inTable))
+            {
+                isHeldOut = true;
+                matched.insert(k);
+            }
         }
 
         forAll(quantities_, q)
@@ -181,6 +187,18 @@ Foam::measurement::measurement
                 p.error = getPositive(v, "relativeError")*mag(p.value);
             }
             points_.append(p);
+        }
+    }
+
+    forAll(heldOut, k)
+    {
+        if (!matched.found(k))
+        {
+            WarningInFunction
+                << "Entry 'heldOut': no point lies in the interval ("
+                << heldOut[k].min() << ' ' << heldOut[k].max() << ") of the column "
+                << textOf(abscissa, "column").c_str() << ", which is in the unit of "
+                << file_ << '.' << endl;
         }
     }
 

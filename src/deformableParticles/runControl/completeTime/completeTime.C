@@ -334,6 +334,16 @@ void Foam::completeTime::startLoop(const List<double>& sizes) const
 }
 
 
+void Foam::completeTime::endLoop() const
+{
+    if (writes_ && !writeTime())
+    {
+        Info<< "Time " << timeName() << " was not written: it is no write time"
+            << " (writeControl and writeInterval in system/controlDict)." << nl << nl;
+    }
+}
+
+
 void Foam::completeTime::need(const word& file, const word& beside) const
 {
     const fileName start(timePath());

@@ -6,6 +6,7 @@
 #include "resistanceMatrix.H"
 #include "foamCompat.H"
 #include "mathematicalConstants.H"
+#include "MinMax.H"
 
 Foam::resistanceMatrix::resistanceMatrix
 (
@@ -20,8 +21,10 @@ Foam::resistanceMatrix::resistanceMatrix
     size_(0),
     typeId_(-1)
 {
+    labelMinMax numbers;
     for (const clumpParcel& p : cloud)
     {
+        numbers.add(p.origId());
         if (p.origId() == clump)
         {
             typeId_ = p.typeId();
@@ -29,10 +32,17 @@ Foam::resistanceMatrix::resistanceMatrix
         }
     }
     reduce(typeId_, maxOp<label>());
+    reduce(numbers, minMaxOp<label>());
     if (typeId_ < 0)
     {
-        FatalErrorInFunction
-            << "There is no clump " << clump << '.' << exit(FatalError);
+        FatalErrorInFunction << "There is no clump " << clump << '.';
+        if (numbers.valid())
+        {
+            FatalError
+                << " The clumps have numbers from " << numbers.min() << " to "
+                << numbers.max() << '.';
+        }
+        FatalError << exit(FatalError);
     }
     x_.setSize(type().size(), point::min);
     reduceList(x_, maxEqOp<point>());
@@ -172,8 +182,8 @@ void Foam::resistanceMatrix::print(Ostream& os, const scalar mu)
 void Foam::resistanceMatrix::write(Ostream& os) const
 {
     os.precision(10);
-    os  << "# resistance [-] over 6 pi mu r of the first sphere; rows forces, columns"
-        << " velocities, x y z of sphere 0, 1, ..."
+    os  << "# resistance [N s/m]; rows forces, columns velocities,"
+        << " x y z of sphere 0, 1, ..."
         << (rotation_ ? ", then torques over r and angular velocities times r" : "")
         << nl;
     for (label i = 0; i < size_; ++i)

@@ -123,6 +123,7 @@ void Foam::runMonitor::end() const
     }
     else
     {
+        runTime_.endLoop();
         report_.end();
     }
 }

@@ -151,10 +151,5 @@ void Foam::stepReport::explainIdle() const
 void Foam::stepReport::end() const
 {
     cloud_.timing().print(Info, since(start_));
-    if (!runTime_.writeTime())
-    {
-        Info<< "Time " << runTime_.timeName() << " was not written: it is no write time"
-            << " (writeControl and writeInterval in system/controlDict)." << nl << nl;
-    }
     Info<< "End" << nl << endl;
 }

@@ -7,9 +7,10 @@
 
     clumpTables.py [-last] [-clump N] [-type NAME] <case> <table>:<column> ...
 
-prints the columns as comma separated lines, numbers as they stand in the tables; the columns may
-come from tables that have the same rows, and a column without a table is of the one before. A wrong
-name ends with the names there are.
+prints the columns as comma separated lines, numbers as they stand in the tables: all rows, or those
+of clump N, or of the clump type NAME, and with -last the last one of them. The columns may come
+from tables that have the same rows, and a column without a table is of the one before. A wrong name
+ends with the names there are.
 
 The tables of this library have the names in the first line that is not a comment. Those of OpenFOAM
 have them in the last comment line; a value in parentheses below `volAverage(U)` has the names
@@ -92,6 +93,8 @@ def texts(case, name, **wanted):
                 rows = [r for r in rows if float(r["time"]) < (1 + 1e-9)*float(start)]
             rows += more
     for key, value in wanted.items():
+        if rows and key not in rows[0]:
+            sys.exit(f"The table {name} in {case} has no column {key}: its rows are not of clumps")
         rows = [r for r in rows if r[key] == str(value)]
     return rows
 

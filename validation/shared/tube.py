@@ -3,15 +3,27 @@
     python3 tube.py <cell width> <x:radius> <x:radius> ...
 
 Lengths in um. The radius goes linearly from station to station; inlet and outlet are cyclic; the
-number of cells across
-is that of the widest station.
+number of cells across is that of the widest station.
 """
 
+import argparse
 import math
-import sys
 
-width = float(sys.argv[1])
-stations = [tuple(float(v) for v in word.split(":")) for word in sys.argv[2:]]
+
+def station(word):
+    x, radius = word.split(":")
+    return float(x), float(radius)
+
+
+options = argparse.ArgumentParser(
+    description=__doc__, usage=argparse.SUPPRESS, add_help=False,
+    formatter_class=argparse.RawDescriptionHelpFormatter)
+options.add_argument("-help", action="help", help=argparse.SUPPRESS)
+options.add_argument("width", type=float)
+options.add_argument("first", type=station)
+options.add_argument("others", type=station, nargs="+")
+given = options.parse_args()
+width, stations = given.width, [given.first] + given.others
 widest = max(r for _, r in stations)
 
 core = 0.65                                             # half the core's diagonal over the radius

@@ -7,6 +7,7 @@ clumpShape (lengths) and VTK/clumps (the spheres). Writes result.csv and result.
 import csv
 import math
 import re
+import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -20,7 +21,11 @@ SECTIONS = {"before": (6, 18), "throat": (27, 33), "behind": (42, 54)}
 
 
 with open("system/blockMeshDict") as file:
-    THROAT = float(re.search(r"^throat\s+([\d.]+);", file.read(), re.M).group(1))
+    found = re.search(r"^throat\s+([\d.]+);", file.read(), re.M)
+if not found:
+    sys.exit("system/blockMeshDict has no line 'throat ...;'. This script knows the channel of the"
+             " tutorial: adapt SECTIONS, DEPTH and halfHeight to another one")
+THROAT = float(found.group(1))
 
 
 def halfHeight(x):

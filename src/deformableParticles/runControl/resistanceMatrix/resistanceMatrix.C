@@ -6,7 +6,6 @@
 #include "resistanceMatrix.H"
 #include "foamCompat.H"
 #include "mathematicalConstants.H"
-#include "MinMax.H"
 
 Foam::resistanceMatrix::resistanceMatrix
 (
@@ -21,10 +20,12 @@ Foam::resistanceMatrix::resistanceMatrix
     size_(0),
     typeId_(-1)
 {
-    labelMinMax numbers;
+    label lowest = labelMax;
+    label highest = -1;
     for (const clumpParcel& p : cloud)
     {
-        numbers.add(p.origId());
+        lowest = min(lowest, p.origId());
+        highest = max(highest, p.origId());
         if (p.origId() == clump)
         {
             typeId_ = p.typeId();
@@ -32,15 +33,16 @@ Foam::resistanceMatrix::resistanceMatrix
         }
     }
     reduce(typeId_, maxOp<label>());
-    reduce(numbers, minMaxOp<label>());
+    reduce(lowest, minOp<label>());
+    reduce(highest, maxOp<label>());
     if (typeId_ < 0)
     {
         FatalErrorInFunction << "There is no clump " << clump << '.';
-        if (numbers.valid())
+        if (highest >= 0)
         {
             FatalError
-                << " The clumps have numbers from " << numbers.min() << " to "
-                << numbers.max() << '.';
+                << " The clumps have numbers from " << lowest << " to " << highest
+                << '.';
         }
         FatalError << exit(FatalError);
     }

@@ -72,15 +72,16 @@ Foam::tmp<Foam::volScalarField> Foam::wallMobility::resistance
 {
     const fvMesh& mesh = nu.mesh();
     const scalar dt = mesh.time().deltaTValue();
+    const scalar unit = pow(10.0, floor(log10(dt)) - 1);
+    const scalar rounded = unit*round(dt/unit);
     const scalarField& V = mesh.V();
     if
     (
-        !mobility_.valid()
-     || mag(dt - deltaT_) > 0.1*deltaT_
+        !mobility_.valid() || rounded != deltaT_
      || gSum(V*mag(nu.primitiveField() - nu_)) > 0.1*gSum(V*nu_)
     )
     {
-        deltaT_ = dt;
+        deltaT_ = rounded;
         nu_ = nu.primitiveField();
         solve(nu);
     }
@@ -97,7 +98,7 @@ Foam::tmp<Foam::volScalarField> Foam::wallMobility::resistance
     );
     volScalarField& resistance = tresistance.ref();
     scalarField& r = resistance.primitiveFieldRef();
-    r = 1/mobility_->primitiveField() - 1/dt;
+    r = 1/mobility_->primitiveField() - 1/deltaT_;
 
     // What the walls hold back in the momentum equation
     for (const fvPatchScalarField& m : mobility_->boundaryField())

@@ -349,7 +349,8 @@ void Foam::deformableCloud::restart()
     clumpFields::read(*this, types_);
     Info<< "Read " << returnReduce(size(), sumOp<label>())
         << " clumps from time " << mesh_.time().timeName()
-        << "; the entry placement is not used" << endl;
+        << (properties().found("placement") ? "; the entry placement is not used" : "")
+        << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
     if (!isFile(mesh_.time().timePath()/"uniform"/"time"))

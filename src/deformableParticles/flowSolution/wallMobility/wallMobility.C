@@ -12,7 +12,8 @@
 Foam::wallMobility::wallMobility(const volVectorField& U)
 :
     U_(U),
-    deltaT_(0)
+    deltaT_(0),
+    written_(-1)
 {}
 
 
@@ -71,19 +72,26 @@ Foam::tmp<Foam::volScalarField> Foam::wallMobility::resistance
 )
 {
     const fvMesh& mesh = nu.mesh();
-    const scalar dt = mesh.time().deltaTValue();
+    const Time& time = mesh.time();
+    const scalar dt = time.deltaTValue();
     const scalar unit = pow(10.0, floor(log10(dt)) - 1);
     const scalar rounded = unit*round(dt/unit);
     const scalarField& V = mesh.V();
     if
     (
         !mobility_.valid() || rounded != deltaT_
+     || (written_ >= 0 && written_ != time.timeIndex())
      || gSum(V*mag(nu.primitiveField() - nu_)) > 0.1*gSum(V*nu_)
     )
     {
         deltaT_ = rounded;
         nu_ = nu.primitiveField();
         solve(nu);
+        written_ = -1;
+    }
+    if (time.writeTime())
+    {
+        written_ = time.timeIndex();
     }
 
     tmp<volScalarField> tresistance

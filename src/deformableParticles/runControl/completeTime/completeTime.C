@@ -114,6 +114,9 @@ void Foam::completeTime::markDirectory() const
     refuse(!mine ? string() : attempt([&]()
     {
         mkDir(mark(made).path());
+
+        // OpenFOAM writes the state of the function objects last, after write()
+        mkDir(mark(made).path()/"functionObjects");
         OFstream os(mark(made));
         os  << "This time directory is incomplete: it is being written, or the"
             << " run was interrupted while writing it. rbcIbFoam removes it at"
@@ -373,6 +376,16 @@ void Foam::completeTime::finish() const
         if (!file.empty())
         {
             refuse(file + " is truncated");
+        }
+
+        // Collated files may come later
+        const fileName state
+        (
+            mark(marked_).path()/"functionObjects"/"functionObjectProperties"
+        );
+        if (fileHandler().type() == "uncollated" && !isFile(state))
+        {
+            refuse(state);
         }
         returnReduce(true, andOp<bool>());
         rm(mark(marked_));

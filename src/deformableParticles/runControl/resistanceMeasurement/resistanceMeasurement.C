@@ -116,7 +116,14 @@ void Foam::resistanceMeasurement::endStep()
 
     if (ended == matrix_->size() - 1)
     {
-        matrix_->print(Info, cloud_.fluidDensity()*gMax(nu.primitiveField()));
+        const scalar largest = gMax(nu.primitiveField());
+        if (gMin(nu.primitiveField()) < 0.99*largest)
+        {
+            WarningInFunction
+                << "The viscosity is not uniform: it depends on the motions of the"
+                << " measurement, which are not those of the case." << endl;
+        }
+        matrix_->print(Info, cloud_.fluidDensity()*largest);
         if (Pstream::master())
         {
             OFstream file(runTime_.globalPath()/"resistance.csv");

@@ -21,6 +21,7 @@ earlier times are left out.
 
 import os
 import re
+import signal
 import sys
 
 sys.dont_write_bytecode = True
@@ -134,6 +135,7 @@ def main(arguments):
     if count == 0:
         sys.exit(f"{case}: no row" + "".join(f" of {key} {value}" for key, value in wanted.items())
                  + f" in {', '.join(tables)}")
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)       # of a reader that has enough, as head
     for i in range(count - 1 if given.last else 0, count):
         try:
             print(",".join(tables[name][i][column] for name, column in columns))

@@ -19,6 +19,11 @@ TYPE_COLOURS = {
 }
 
 
+def hasFluid(case):
+    """Whether the case has a fluid; without one its mesh may be any size."""
+    return os.path.exists(os.path.join(case, "constant", "transportProperties"))
+
+
 def typeColour(kind):
     """Name and components of the colour of a type by its number."""
     return list(TYPE_COLOURS.items())[kind % len(TYPE_COLOURS)]

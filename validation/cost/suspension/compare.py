@@ -3,7 +3,7 @@ simulated millisecond over the haematocrit."""
 
 import os
 import statistics
-from results import Results, read
+from results import Results, at_one_speed, read
 
 rows = read("data.csv")
 results = Results()
@@ -24,6 +24,8 @@ for number in numbers:
 
 STEP = 0.5      # ms
 dense = read("haematocrits.csv")
+at_one_speed(dense, "cpu_ms_per_step")
+results.report("unit case", dense[0]["unit_s"], "s", "how fast the machine is")
 for row in dense:
     name = f"haematocrit {100*row['haematocrit']:g} %"
     results.report(f"{name}: processor time per cell and simulated ms",
@@ -50,11 +52,20 @@ for key, unit, scale in ("messages", "-", 1), ("bytes", "kB", 1e-3), ("collectiv
                        scale*(with_cells[ranks][key] - without[ranks][key]), unit,
                        "calls of MPI, busiest rank")
 
+rows = read("speedUp.csv")
+for number in sorted({row["number"] for row in rows}):
+    rounds = [row for row in rows if row["number"] == number]
+    for name, factor, key in (("speed-up on two ranks", 1, "two_ranks_s"),
+                              ("two runs at once, together", 2, "beside_another_s")):
+        results.report(f"{number:g} red cells: {name}",
+                       statistics.median(factor*row["one_s"]/row[key] for row in rounds), "-",
+                       "times one run alone, time breakdown")
+
 if os.path.exists("thousand.csv"):
     one, two = read("thousand.csv")
     results.report("1000 red cells: start-up and first step", one["first_step_s"], "s", "ClockTime")
-    results.report("1000 red cells: a step", one["step_s"], "s", "ClockTime, one core")
-    results.report("1000 red cells: speed-up on two cores", one["step_s"]/two["step_s"], "-",
-                   "ClockTime")
-    results.report("1000 red cells: memory", one["memory_MB"], "MB", "largest resident set")
+    for ranks, row in ("one rank", one), ("two ranks", two):
+        results.report(f"1000 red cells, {ranks}: a step", row["step_s"], "s", "ClockTime")
+        results.report(f"1000 red cells, {ranks}: memory", row["memory_MB"], "MB",
+                       "largest resident sets")
 results.write()

@@ -3,7 +3,7 @@ levels and the paper's choice."""
 
 import os
 
-from results import Results, plt, read, save
+from results import Results, at_one_speed, plt, read, save
 
 unit = {"array": "processor seconds per array", "tether": "processor seconds per simulated second",
         "shear": "processor seconds per simulated second",
@@ -21,6 +21,7 @@ scale = {scene: (100, "%") for scene in title}
 scale["drift"] = (1, "um/s")
 
 rows = read("data.csv")
+at_one_speed(rows, "cost_s")
 
 
 def value(scene, knob, setting):

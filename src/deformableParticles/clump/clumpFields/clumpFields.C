@@ -65,8 +65,9 @@ void checkPlace(const Cloud<clumpParcel>& c, const label index, const particle& 
     {
         FatalErrorInFunction
             << fieldObject(c, "coordinates", IOobject::NO_READ).objectPath()
-            << ": clump " << index << " lies outside the mesh"
-            << exit(FatalError);
+            << ": clump " << index << " lies outside the mesh," << nl
+            << "    or the mesh has changed since the file was written:"
+            << " then run setClumps again." << exit(FatalError);
     }
 }
 

@@ -97,10 +97,16 @@ void Foam::completeTime::refuse(const string& error) const
 }
 
 
-void Foam::completeTime::markDirectory() const
+Foam::fileName Foam::completeTime::directory() const
 {
     const IOobject file("incomplete", timeName(), "uniform", *this);
-    marked_ = fileHandler().objectPath(file, word::null).path().path();
+    return fileHandler().objectPath(file, word::null).path().path();
+}
+
+
+void Foam::completeTime::markDirectory() const
+{
+    marked_ = directory();
 
     // Of processors that share it (collated) the first one makes it
     fileName shared(marked_);
@@ -201,12 +207,19 @@ Foam::completeTime::completeTime(const argList& args)
         readScalar(name, value);
         if (mag(value - this->value()) < 0.01*deltaTValue())
         {
-            const instantList all(times());
+            word complete("none");
+            for (const instant& time : times())
+            {
+                // The collated file handler keeps the list from before
+                if (!names.found(time.name()))
+                {
+                    complete = time.name();
+                }
+            }
             FatalIOErrorInFunction(controlDict())
                 << "'startTime' is " << name << ", but this time directory is"
                 << " incomplete because the run was interrupted while writing"
-                << " it." << nl << "    The last complete time is "
-                << (all.empty() ? word("none") : all.last().name())
+                << " it." << nl << "    The last complete time is " << complete
                 << "; with 'startFrom latestTime' the run continues from it."
                 << exit(FatalIOError);
         }
@@ -326,7 +339,7 @@ void Foam::completeTime::startLoop(const List<double>& sizes) const
     {
         return;
     }
-    const string error(writeTrial::attempt(path(), sizes));
+    const string error(writeTrial::attempt(directory().path(), sizes));
     if (!error.empty())
     {
         FatalErrorInFunction

@@ -28,6 +28,14 @@ void Foam::refineAroundClumps
     {
         cloud.prepareMeshChange();
         changed = mesh.update();
+        if (mesh.moving())
+        {
+            FatalErrorInFunction
+                << "The points of the mesh move: " << mesh.type() << " in "
+                << time.constant()/"dynamicMeshDict" << '.' << nl
+                << "    Clumps can be used with meshes that are refined"
+                << " (dynamicRefineFvMesh) or do not change." << exit(FatalError);
+        }
         if (changed)
         {
             cloud.meshChanged();

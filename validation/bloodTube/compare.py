@@ -68,10 +68,8 @@ for run in runs:
 audits = [run for run in runs if run["way_D"] < longest]
 if audits:
     base, half, fine = audits
-    results.add("half the time step: change of the viscosity", half["muRel"]/base["muRel"] - 1, "-",
-                0, 0.03, "the longer step")
-    results.add("D/dx 6: change of the viscosity", fine["muRel"]/base["muRel"] - 1, "-", 0, 0.05,
-                "D/dx 4", known=0.0836718)
+    results.change("half the time step: change of the viscosity", half, base, "muRel", 0.03)
+    results.change("D/dx 6: change of the viscosity", fine, base, "muRel", 0.05)
 
 # The Fahraeus-Lindqvist effect
 order = sorted((run for run in runs if run["H"] == 0.3 and run["way_D"] == longest),

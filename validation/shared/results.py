@@ -14,8 +14,7 @@ A tolerance is absolute, or relative to the reference with a % sign. The status 
     within         the value is within the tolerance of the reference
     OUTSIDE        it is not: the validation fails
     known miss     it is not, the miss is recorded (known) and explained in the README, and the
-    value
-                   is not farther from the reference than the recorded one
+                   value is not farther from the reference than the recorded one
     MARK IS STALE  the recorded miss is within the tolerance now: take its mark away; fails
     no reference   the row has none; it is reported, and counts neither way
 """
@@ -73,6 +72,13 @@ class Results:
     def report(self, quantity, value, unit, source):
         """A row without a reference."""
         self.rows.append([quantity, f"{value:.6g}", unit, "", "", source, ""])
+
+    def change(self, name, run, base, column, tolerance, known=None):
+        """The relative change of a mean from that of another run, and its standard error."""
+        ratio = run[column]/base[column]
+        error = math.hypot(run[column + "_error"]/run[column], base[column + "_error"]/base[column])
+        self.add(name, ratio - 1, "-", 0, tolerance, "D/dx 4 and the longer step", known)
+        self.report(f"{name}: standard error", ratio*error, "-", "blocks")
 
     def write(self):
         """Writes and prints the rows, and ends the script: status 1 if one fails."""

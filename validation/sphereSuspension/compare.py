@@ -1,0 +1,58 @@
+"""The viscosity of suspensions of spheres in shear: Einstein's coefficient of one sphere, and
+Krieger and Dougherty's equation."""
+
+from math import pi
+
+from results import Results, plt, read, save
+
+runs = read("data.csv")
+results = Results()
+SPHERE = pi/6*2.95e-6**3        # [m3]
+BOX = 30e-6*20e-6*20e-6
+EINSTEIN = 2.5
+MAXIMUM = 0.64                  # volume fraction of the closest random packing
+
+# Misses that the README explains: (D/dx, percent, film): value
+KNOWN = {(4, 30, ""): 2.3189}
+
+
+def krieger_dougherty(fraction):
+    return (1 - fraction/MAXIMUM)**(-EINSTEIN*MAXIMUM)
+
+
+for run in runs:
+    run["fraction"] = run["spheres"]*SPHERE/BOX
+    run["intrinsic"] = (run["muRel"] - 1)/run["fraction"]
+
+single = [run for run in runs if run["spheres"] == 1]
+for cells in sorted({run["D_dx"] for run in single}):
+    for run in (run for run in single if run["D_dx"] == cells):
+        results.add(f"one sphere, D/dx {cells:g}, {run['place_cells']:g} mesh cells off: intrinsic "
+                    "viscosity", run["intrinsic"], "-", EINSTEIN, "5%", "Einstein 1911")
+
+crowds = [run for run in runs if run["spheres"] > 1]
+for run in crowds:
+    percent = round(100*run["fraction"])
+    name = f"{percent} %, D/dx {run['D_dx']:g}{', lubrication' if run['film'] else ''}"
+    results.add(f"{name}: relative viscosity", run["muRel"], "-",
+                krieger_dougherty(run["fraction"]), "10%", "Krieger and Dougherty 1959",
+                KNOWN.get((run["D_dx"], percent, run["film"])))
+    results.report(f"{name}: standard error", run["muRel_error"], "-", "blocks")
+    results.report(f"{name}: share of contacts and films in the stress", run["contact_share"], "-",
+                   "contactStress")
+    results.report(f"{name}: deepest overlap", run["overlap"], "sphere radii", "contactStress")
+
+figure, axes = plt.subplots()
+fraction = [0.005*k for k in range(71)]
+axes.plot(fraction, [krieger_dougherty(f) for f in fraction], "k-", label="Krieger, Dougherty 1959")
+axes.plot(fraction, [1 + EINSTEIN*f for f in fraction], "k--", lw=1, label="Einstein 1911")
+for film, label, marker, colour in (("", "without lubrication", "o", "C0"),
+                                    ("film", "with lubrication", "s", "C3")):
+    rows = [run for run in crowds if run["film"] == film and run["D_dx"] == 4]
+    axes.errorbar([run["fraction"] for run in rows], [run["muRel"] for run in rows],
+                  [run["muRel_error"] for run in rows], fmt=marker, color=colour, label=label)
+axes.set_xlabel("volume fraction of spheres")
+axes.set_ylabel("relative viscosity")
+axes.legend()
+save(figure, "sphereSuspension.png")
+results.write()

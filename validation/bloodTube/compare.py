@@ -18,6 +18,7 @@ KNOWN = {
     (20, 0.3, "muRel"): 2.35728, (20, 0.3, "HtHd"): 0.902179,
     (20, 0.45, "muRel"): 3.75631, (20, 0.45, "HtHd"): 0.945931,
     (10, 0.3, "muRel"): 2.00621, (10, 0.3, "HtHd"): 0.885337,
+    (40, 0.3, "muRel"): 2.57835, (40, 0.3, "HtHd"): 0.904248,
 }
 
 
@@ -69,7 +70,7 @@ audits = [run for run in runs if run["way_D"] < longest]
 if audits:
     base, half, fine = audits
     results.change("half the time step: change of the viscosity", half, base, "muRel", 0.03)
-    results.change("D/dx 6: change of the viscosity", fine, base, "muRel", 0.05)
+    results.change("D/dx 6: change of the viscosity", fine, base, "muRel", 0.05, 0.0545759)
 
 # The Fahraeus-Lindqvist effect
 order = sorted((run for run in runs if run["H"] == 0.3 and run["way_D"] == longest),

@@ -80,11 +80,11 @@ public:
             testMesh(), dimensionedScalar("nu", dimViscosity, nu)
         );
         boundary_->update(ghosts_.images(), viscosity);
-        ghosts_.returnDilations();
+        ghosts_.returnTensions();
         for (label i = 0; i < ghosts_.nOwn(); ++i)
         {
             clumpImage& image = ghosts_.images()[i];
-            image.dilation.removeFrom(image.u, image.omega);
+            image.contraction = image.tension.contraction(image.u, image.omega);
         }
         ghosts_.updateVelocities();
         boundary_->impose(ghosts_.images());
@@ -112,9 +112,9 @@ public:
         for (label i = 0; i < ghosts_.nOwn(); ++i)
         {
             clumpImage& image = ghosts_.images()[i];
-            image.dilation.removeFromForces(image.force, image.torque);
-            force += sum(image.force);
-            power += sum(image.force & image.u) + sum(image.torque & image.omega);
+            image.fluid.constrain(image.tension);
+            force += sum(image.fluid.f);
+            power += image.fluid.power(image.u, image.omega);
         }
         reduce(force, sumOp<vector>());
         reduce(power, sumOp<scalar>());

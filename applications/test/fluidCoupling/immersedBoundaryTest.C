@@ -209,7 +209,7 @@ TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
         (
             image.x[0] - r*vector::one, image.x[0] + r*vector::one
         );
-        image.clearSums();
+        image.clearForces();
     }
 
     immersedBoundary boundary
@@ -276,7 +276,7 @@ TEST_CASE
     (
         image.x[0] - radius*vector::one, image.x[0] + radius*vector::one
     );
-    image.clearSums();
+    image.clearForces();
 
     immersedBoundary boundary
     (

@@ -32,8 +32,8 @@ TEST_CASE("oneWayDrag: a clump is dragged as a sphere of its volume", "[oneWay]"
     vector force(Zero);
     for (const clumpImage& image : images)
     {
-        force += sum(image.force);
-        CHECK(max(mag(image.torque)) == 0);
+        force += sum(image.fluid.f);
+        CHECK(max(mag(image.fluid.t)) == 0);
     }
     reduce(force, sumOp<vector>());
     CHECK(mag(force - drag*vector(2e-3, -1e-3, 0)) < 1e-10*drag*1e-3);

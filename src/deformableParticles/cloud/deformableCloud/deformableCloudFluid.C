@@ -22,7 +22,7 @@ void Foam::deformableCloud::immerse
 
     const timeBreakdown::timer t(timing_, "solid fraction");
     coupling_->boundary().update(ghosts_.images(), nu);
-    ghosts_.returnDilations();
+    ghosts_.returnTensions();
     if (moving)
     {
         turnVelocities();
@@ -65,7 +65,7 @@ void Foam::deformableCloud::impose()
     for (label i = 0; i < ghosts_.nOwn(); ++i)
     {
         clumpImage& image = ghosts_.images()[i];
-        image.dilation.removeFrom(image.u, image.omega);
+        image.contraction = image.tension.contraction(image.u, image.omega);
     }
     ghosts_.updateVelocities();
     coupling_->boundary().impose(ghosts_.images());

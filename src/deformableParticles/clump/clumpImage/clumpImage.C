@@ -26,6 +26,7 @@ void Foam::clumpImage::set
     u = s.u;
     omega.setSize(s.u.size());
     omega = Zero;
+    contraction = 0;
     box = boundBox::invertedBox;
     forAll(x, i)
     {
@@ -37,7 +38,7 @@ void Foam::clumpImage::set
     (
         cmptMax(box.max() - centre), cmptMax(centre - box.min())
     );
-    clearSums();
+    clearForces();
 }
 
 
@@ -56,6 +57,7 @@ Foam::Istream& Foam::operator>>(Istream& is, clumpImage& i)
     is  >> i.owner >> i.index >> i.typeId >> i.id >> i.shift >> i.x >> i.u
         >> i.omega >> i.box >> i.presence;
     i.original = false;
-    i.clearSums();
+    i.contraction = 0;
+    i.clearForces();
     return is;
 }

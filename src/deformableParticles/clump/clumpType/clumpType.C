@@ -49,6 +49,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
       ? getPositive(dict, "nominalVolume") : volume_;
 
     reach_ = max(mag(centres_) + radii_);
+    setTransitions();
 }
 
 
@@ -94,6 +95,29 @@ void Foam::clumpType::setMasses(const dictionary& dict)
     centres_ -= sum(masses_*centres_)/sum(masses_);
     vectorField grad(size());
     smoothVolume_ = sphereUnion::smoothVolume(centres_, radii_, grad);
+}
+
+
+void Foam::clumpType::setTransitions()
+{
+    transitions_ = radii_;
+    forAll(radii_, i)
+    {
+        // Distance of the nearest centre over the sum of the radii
+        scalar nearest = VGREAT;
+        forAll(radii_, j)
+        {
+            if (j != i)
+            {
+                nearest = min
+                (
+                    nearest,
+                    mag(centres_[i] - centres_[j])/(radii_[i] + radii_[j])
+                );
+            }
+        }
+        transitions_[i] *= min(max(2.5 - 2*nearest, 0.5), 1.0);
+    }
 }
 
 

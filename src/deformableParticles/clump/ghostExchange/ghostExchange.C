@@ -336,7 +336,8 @@ void Foam::ghostExchange::updateVelocities()
         OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
         for (const label i : sent_[n])
         {
-            os << images_[i].u << images_[i].omega;
+            os  << images_[i].u << images_[i].omega << images_[i].contraction
+                << token::SPACE;
         }
     }
 
@@ -347,6 +348,7 @@ void Foam::ghostExchange::updateVelocities()
         {
             image.u = images_[image.index].u;
             image.omega = images_[image.index].omega;
+            image.contraction = images_[image.index].contraction;
         }
     }
 
@@ -358,75 +360,46 @@ void Foam::ghostExchange::updateVelocities()
         {
             if (image.owner == proci)
             {
-                is >> image.u >> image.omega;
+                is >> image.u >> image.omega >> image.contraction;
             }
         }
     }
 }
 
 
-template<class First, class Second>
-void Foam::ghostExchange::returnSums(const First& first, const Second& second)
+void Foam::ghostExchange::returnSums(imageForces clumpImage::* forces)
 {
     const label me = Pstream::myProcNo();
 
     for (const label proci : neighbours_)
     {
-        DynamicList<label> indices;
-        DynamicList<vectorField> sums;
-        for (clumpImage& image : images_)
+        OPstream os(Pstream::commsTypes::blocking, proci);
+        for (const clumpImage& image : images_)
         {
             if (image.owner == proci)
             {
-                indices.append(image.index);
-                sums.append(first(image));
-                sums.append(second(image));
+                os << image.*forces;
             }
         }
-        OPstream os(Pstream::commsTypes::blocking, proci);
-        os << indices << sums;
     }
 
     for (label i = nOwn_; i < images_.size(); ++i)
     {
         if (images_[i].owner == me)
         {
-            clumpImage& original = images_[images_[i].index];
-            first(original) += first(images_[i]);
-            second(original) += second(images_[i]);
+            images_[images_[i].index].*forces += images_[i].*forces;
         }
     }
 
-    for (const label proci : neighbours_)
+    // A processor returns the images in the order in which they were sent to it
+    forAll(neighbours_, n)
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
-        const labelList indices(is);
-        const List<vectorField> sums(is);
-        forAll(indices, k)
+        IPstream is(Pstream::commsTypes::blocking, neighbours_[n]);
+        for (const label i : sent_[n])
         {
-            clumpImage& original = images_[indices[k]];
-            first(original) += sums[2*k];
-            second(original) += sums[2*k + 1];
+            imageForces sums;
+            is >> sums;
+            images_[i].*forces += sums;
         }
     }
-}
-
-
-void Foam::ghostExchange::returnForces()
-{
-    returnSums
-    (
-        [](clumpImage& image) -> vectorField& { return image.force; },
-        [](clumpImage& image) -> vectorField& { return image.torque; }
-    );
-}
-
-
-void Foam::ghostExchange::returnDilations()
-{
-    returnSums
-    (
-        [](clumpImage& image) -> vectorField& { return image.dilation.g; },
-        [](clumpImage& image) -> vectorField& { return image.dilation.h; }
-    );
 }

@@ -24,7 +24,7 @@ void Foam::coveredCells::update
     centres_ = image.x;
 
     findCells(geometry, solidFraction, forcing, type, image);
-    setWeights(type.radii());
+    setWeights(type);
 }
 
 
@@ -117,12 +117,13 @@ void Foam::coveredCells::findCells
 }
 
 
-void Foam::coveredCells::setWeights(const scalarField& radii)
+void Foam::coveredCells::setWeights(const clumpType& type)
 {
-    const label n = radii.size();
+    const label n = type.size();
+    const scalarField radiiSqr(sqr(type.radii()));
 
     weights_.setSize(n*cells_.size());
-    slopes_ = -2/sqr(radii);
+    slopes_ = -2/sqr(type.transitions());
 
     forAll(cells_, k)
     {
@@ -133,7 +134,7 @@ void Foam::coveredCells::setWeights(const scalarField& radii)
         scalar largest = -VGREAT;
         for (label i = 0; i < n; ++i)
         {
-            w[i] = -magSqr(x - centres_[i])/sqr(radii[i]);
+            w[i] = 0.5*slopes_[i]*(magSqr(x - centres_[i]) - radiiSqr[i]);
             largest = max(largest, w[i]);
         }
 

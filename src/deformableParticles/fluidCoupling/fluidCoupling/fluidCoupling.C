@@ -131,10 +131,10 @@ void Foam::fluidCoupling::integrate
 
 void Foam::fluidCoupling::takeForces(clumpParcel& p, clumpImage& image) const
 {
-    image.dilation.removeFromForces(image.force, image.torque);
-    image.force /= image.presence;
-    image.torque /= image.presence;
-    p.fluidForces() = image.force;
+    image.fluid.constrain(image.tension);
+    image.fluid.f /= image.presence;
+    image.fluid.t /= image.presence;
+    p.fluidForces() = image.fluid.f;
     p.fluidTorques() = Zero;
 }
 
@@ -147,7 +147,7 @@ void Foam::fluidCoupling::takeTorques
 {
     rotation_->transpose
     (
-        types_[p.typeId()], p.state(), image.torque,
+        types_[p.typeId()], p.state(), image.fluid.t,
         p.fluidForces(), p.fluidTorques()
     );
 }
@@ -164,7 +164,7 @@ void Foam::fluidCoupling::followFlow
     forAll(s.u, i)
     {
         // sampleVelocity has stored the integrals of velocity and volume here
-        s.u[i] = image.force[i]/max(image.torque[i].x(), VSMALL);
+        s.u[i] = image.fluid.f[i]/max(image.fluid.t[i].x(), VSMALL);
     }
     s.w = vectorField(s.w.size(), Zero);
     s.w = s.angularVelocity(type);

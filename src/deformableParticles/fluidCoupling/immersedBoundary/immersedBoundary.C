@@ -243,7 +243,7 @@ void Foam::immersedBoundary::update
     fade(nu);
     if (dilates_)
     {
-        setDilations(images);
+        setTensions(images);
     }
 }
 

@@ -40,7 +40,7 @@ void Foam::immersedBoundary::visit(Images& images, const Action& action) const
 }
 
 
-void Foam::immersedBoundary::setDilations(UList<clumpImage>& images) const
+void Foam::immersedBoundary::setTensions(UList<clumpImage>& images) const
 {
     visit
     (
@@ -56,12 +56,15 @@ void Foam::immersedBoundary::setDilations(UList<clumpImage>& images) const
                 return;
             }
             const scalar V = c.volume*c.solid;
+            imageForces& tension = image.tension;
+            tension.c += 3*V;
             forAll(image.x, i)
             {
                 const vector r(c.x - image.x[i]);
                 const vector g(V*covered.gradWeight(c, i, w[i], r));
-                image.dilation.g[i] += g;
-                image.dilation.h[i] += r ^ g;
+                tension.f[i] += g;
+                tension.t[i] += r ^ g;
+                tension.c += r & g;
             }
         }
     );
@@ -86,8 +89,8 @@ void Foam::immersedBoundary::sampleVelocity
             const scalar V = c.volume*c.solid;
             forAll(image.x, i)
             {
-                image.force[i] += V*w[i]*U[c.celli];
-                image.torque[i] += V*w[i]*vector::one;
+                image.fluid.f[i] += V*w[i]*U[c.celli];
+                image.fluid.t[i] += V*w[i]*vector::one;
             }
         }
     );
@@ -115,22 +118,25 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
         )
         {
             const bool dilates = dilates_ && c.solid > 0;
-            vector velocity(solidVelocity_[c.celli]);
-            scalar dilation = dilation_[c.celli];
+            const scalar k = image.contraction;
+            vector velocity(Zero);
+            scalar dilation = 3*k;
 
             forAll(image.x, i)
             {
                 const vector r(c.x - image.x[i]);
-                const vector u(image.u[i] + (image.omega[i] ^ r));
-                velocity += share*w[i]*u;
+                const vector u(image.u[i] + (image.omega[i] ^ r) + k*r);
+                velocity += w[i]*u;
                 if (dilates)
                 {
-                    dilation +=
-                        c.solid*(covered.gradWeight(c, i, w[i], r) & u);
+                    dilation += covered.gradWeight(c, i, w[i], r) & u;
                 }
             }
-            solidVelocity_[c.celli] = velocity;
-            dilation_[c.celli] = dilation;
+            solidVelocity_[c.celli] += share*velocity;
+            if (dilates)
+            {
+                dilation_[c.celli] += c.solid*dilation;
+            }
         }
     );
 }
@@ -162,8 +168,7 @@ void Foam::immersedBoundary::integrate
 
     for (clumpImage& image : images)
     {
-        image.force = Zero;
-        image.torque = Zero;
+        image.fluid.reset(image.x.size());
     }
 
     visit
@@ -186,6 +191,8 @@ void Foam::immersedBoundary::integrate
             const vector F(c.volume*share*density);
             const scalar P = dilates_ ? c.volume*c.solid*rho*p[c.celli] : 0;
 
+            imageForces& fluid = image.fluid;
+            fluid.c -= 3*P;
             forAll(image.x, i)
             {
                 const vector r(c.x - image.x[i]);
@@ -194,8 +201,9 @@ void Foam::immersedBoundary::integrate
                 {
                     g -= P*covered.gradWeight(c, i, w[i], r);
                 }
-                image.force[i] += g;
-                image.torque[i] += r ^ g;
+                fluid.f[i] += g;
+                fluid.t[i] += r ^ g;
+                fluid.c += r & g;
             }
         }
     );

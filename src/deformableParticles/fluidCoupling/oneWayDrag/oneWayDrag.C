@@ -37,8 +37,7 @@ void Foam::oneWayDrag::integrate
     for (clumpImage& image : images)
     {
         const scalarField zeta(resistance(types_[image.typeId], mu));
-        image.force = Zero;
-        image.torque = Zero;
+        image.fluid.reset(image.x.size());
 
         forAll(image.x, i)
         {
@@ -46,7 +45,7 @@ void Foam::oneWayDrag::integrate
             const label celli = U.mesh().findCell(x);
             if (celli >= 0)
             {
-                image.force[i] =
+                image.fluid.f[i] =
                     zeta[i]*(velocity_->interpolate(x, celli) - image.u[i]);
             }
         }

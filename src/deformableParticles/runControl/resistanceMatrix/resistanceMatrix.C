@@ -146,15 +146,8 @@ void Foam::resistanceMatrix::print(Ostream& os, const scalar mu)
             0.5*(R_ + R_.transpose())
         ).eigenvalues()/unit
     );
+    const scalar least = spectrum[0];
     const scalar most = spectrum[size_ - 1];
-
-    // The net dilation is not coupled to the fluid
-    label nFree = 0;
-    while (nFree < size_ - 1 && spectrum[nFree] < 1e-9*most)
-    {
-        ++nFree;
-    }
-    const scalar least = spectrum[nFree];
 
     os  << "Unit 6 pi mu r = " << unit << " N s/m" << nl
         << "Asymmetry |R - R^T|/|R| = "
@@ -165,9 +158,8 @@ void Foam::resistanceMatrix::print(Ostream& os, const scalar mu)
         os  << (i % 10 ? " " : "\n    ") << spectrum[i];
     }
     os  << nl << nl
-        << "Motions without resistance: " << nFree << nl
         << "The coupling is stable with a coefficient above " << 0.5*most
-        << nl << "Lag of the slowest other motion: coefficient x "
+        << nl << "Lag of the slowest motion: coefficient x "
         << 1/max(least, ROOTVSMALL) << " steps" << nl << nl
         << "Rigid-body resistance: drag along x, y, z [N s/m] and torque about "
         << "them [N m s]" << nl;

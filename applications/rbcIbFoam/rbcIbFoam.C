@@ -38,6 +38,7 @@ Description
 
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
+#include "closedMomentum.H"
 #include "convectionCriterion.H"
 #include "couplingIteration.H"
 #include "incompressibleFlow.H"
@@ -73,11 +74,15 @@ int main(int argc, char* argv[])
     resistanceMeasurement resistance(runTime, cloud, flow, args);
     convectionCriterion convection(cloud, resistance.wanted());
     couplingIteration coupling(cloud, flow, !resistance.wanted());
+    closedMomentum momentum(cloud, flow);
 
     if (flow.solved())
     {
         convection.decide(U, nu);
-        cloud.startWithFlow(U, nu);
+        if (cloud.startWithFlow(U, nu))
+        {
+            phi = fvc::flux(U);
+        }
     }
     monitor.start();
 
@@ -139,6 +144,7 @@ int main(int argc, char* argv[])
             if (cloud.hasFluid())
             {
                 cloud.evolve(U, p, nu);
+                momentum.correct();
             }
             else
             {

@@ -144,26 +144,28 @@ void Foam::deformableCloud::gatherForces
 }
 
 
-void Foam::deformableCloud::startWithFlow
+bool Foam::deformableCloud::startWithFlow
 (
-    const volVectorField& U,
+    volVectorField& U,
     const volScalarField& nu
 )
 {
     if (!coupled())
     {
-        return;
+        return false;
     }
     openPatches_.warnOfClosed(U);
-    if (returnReduce(followFlow_.empty(), andOp<bool>()))
+    if (!returnReduce(starts_, orOp<bool>()))
     {
-        return;
+        return false;
     }
+    starts_ = false;
     updateGhosts();
     coupling_->boundary().update(ghosts_.images(), nu);
     coupling_->boundary().sampleVelocity(U, ghosts_.images());
     ghosts_.returnForces();
 
+    bool some = false;
     label index = 0;
     for (clumpParcel& p : *this)
     {
@@ -172,8 +174,71 @@ void Foam::deformableCloud::startWithFlow
         {
             coupling_->followFlow(p, image);
         }
+        some = some || (!followFlow_.found(p.origId()) && max(mag(p.state().u)) > 0);
     }
     followFlow_.clear();
+
+    // What starts with a velocity of its own starts with the fluid inside it
+    if (!returnReduce(some, orOp<bool>()))
+    {
+        return false;
+    }
+    immerse(nu, false);
+    const immersedBoundary& b = boundary();
+    U += b.solidFraction()*(b.solidVelocity() - U);
+    U.correctBoundaryConditions();
+    return true;
+}
+
+
+void Foam::deformableCloud::changeVelocities(const vector& dU)
+{
+    for (clumpParcel& p : *this)
+    {
+        p.state().u += dU;
+    }
+    momentum_.correction = dU;
+}
+
+
+bool Foam::deformableCloud::someFixed() const
+{
+    bool result = false;
+    for (const clumpParcel& p : *this)
+    {
+        result = result || type(p).fixed();
+    }
+    return returnReduce(result, orOp<bool>());
+}
+
+
+Foam::vector Foam::deformableCloud::excessMomentum() const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    vector result(Zero);
+    for (const clumpParcel& p : *this)
+    {
+        const clumpType& ct = type(p);
+        const clumpState& s = p.state();
+        result +=
+            p.step().presence
+           *sum
+            (
+                ct.masses()*s.u - fluidDensity()*ct.volumes()*(s.u - dt*s.a)
+            );
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::deformableCloud::excessMass() const
+{
+    scalar result = 0;
+    for (const clumpParcel& p : *this)
+    {
+        result += type(p).mass() - fluidDensity()*sum(type(p).volumes());
+    }
+    return result;
 }
 
 

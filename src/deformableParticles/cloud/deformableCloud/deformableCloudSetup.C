@@ -353,7 +353,8 @@ void Foam::deformableCloud::restart()
         << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
-    if (!isFile(mesh_.time().timePath()/"uniform"/"time"))
+    starts_ = !isFile(mesh_.time().timePath()/"uniform"/"time");
+    if (starts_)
     {
         for (const clumpParcel& p : *this)
         {
@@ -368,6 +369,7 @@ void Foam::deformableCloud::restart()
 
 void Foam::deformableCloud::place()
 {
+    starts_ = true;
     clumpFields::refuseRemains(*this);
     count_.check(size(), cloud::prefix/name());
     if (!dict_.found("placement") && dict_.found("injection"))

@@ -55,6 +55,9 @@ functionObjects::tableHeader header()
     {
         result.add(error);
     }
+    result.addVector("momentum", "N s");
+    result.addVector("impulse", "N s");
+    result.add("integralError");
     return result;
 }
 
@@ -69,7 +72,16 @@ Foam::functionObjects::momentumBalance::momentumBalance
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    table_(mesh_, name, typeName)
+    table_(mesh_, name, typeName),
+    fluidRate_(Zero),
+    forcing_(Zero),
+    patches_(Zero),
+    sources_(Zero),
+    size_(0),
+    start_(Zero),
+    momentum_(Zero),
+    impulse_(Zero),
+    impulseSize_(0)
 {
     read(dict);
 }
@@ -177,6 +189,75 @@ Foam::vector Foam::functionObjects::momentumBalance::sources
 }
 
 
+void Foam::functionObjects::momentumBalance::findTerms
+(
+    const deformableCloud& cloud
+)
+{
+    const scalar rho = cloud.fluidDensity();
+    const scalar dt = time_.deltaTValue();
+    const scalarField& V = mesh_.V();
+    const auto& U = mesh_.lookupObject<volVectorField>("U");
+    const bool convection = cloud.effects().active("convection");
+
+    clumps_ = cloud.momentum();
+    for
+    (
+        vector* term :
+        {
+            &clumps_.rate, &clumps_.fluid, &clumps_.interior,
+            &clumps_.coupling, &clumps_.applied
+        }
+    )
+    {
+        reduce(*term, sumOp<vector>());
+    }
+    const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
+    fluidRate_ = rho*gSum(V*(change - clumps_.correction))/dt;
+    forcing_ = cloud.boundary().forceOnFluid(U, rho);
+
+    scalar onFluid = 0;
+    patches_ = rho*patchForces(convection, onFluid);
+    sources_ = rho*sources(convection, onFluid);
+
+    size_ = 0;
+    for (const clumpParcel& p : cloud)
+    {
+        size_ += sum(mag(p.fluidForces()));
+    }
+    reduce(size_, sumOp<scalar>());
+    size_ = max(size_ + rho*onFluid, VSMALL);
+
+    momentum_ =
+        gSum(rho*V*U.primitiveField())
+      + returnReduce(cloud.excessMomentum(), sumOp<vector>());
+    if (impulseSize_ == 0)
+    {
+        const scalar mass =
+            rho*gSum(V) + returnReduce(cloud.excessMass(), sumOp<scalar>());
+        start_ =
+            momentum_ - mass*clumps_.correction
+          - dt*(fluidRate_ + clumps_.rate - clumps_.interior);
+    }
+    impulse_ += dt*(clumps_.applied + patches_ + sources_);
+    impulseSize_ += dt*size_;
+}
+
+
+bool Foam::functionObjects::momentumBalance::execute()
+{
+    if (!functionObject::postProcess)
+    {
+        const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
+        if (cloud.coupled())
+        {
+            findTerms(cloud);
+        }
+    }
+    return true;
+}
+
+
 bool Foam::functionObjects::momentumBalance::write()
 {
     if (functionObject::postProcess)
@@ -185,85 +266,50 @@ bool Foam::functionObjects::momentumBalance::write()
             << " no table is written" << endl;
         return true;
     }
-    const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
-    if (!cloud.coupled())
+    if (impulseSize_ == 0 || !Pstream::master())
     {
         return true;
     }
 
-    const scalar rho = cloud.fluidDensity();
-    const auto& U = mesh_.lookupObject<volVectorField>("U");
-    const bool convection = cloud.effects().active("convection");
+    const vector ofClumps
+    (
+        clumps_.rate - clumps_.fluid - clumps_.interior - clumps_.coupling
+      - clumps_.applied
+    );
+    const vector ofFluid(fluidRate_ - forcing_ - patches_ - sources_);
 
-    scalar onSpheres = 0;
-    for (const clumpParcel& p : cloud)
+    Ostream& os = table_.open(header());
+    const auto add = [&](const vector& v)
     {
-        onSpheres += sum(mag(p.fluidForces()));
-    }
-    reduce(onSpheres, sumOp<scalar>());
-
-    clumpMomentum clumps(cloud.momentum());
+        os  << '\t' << v.x() << '\t' << v.y() << '\t' << v.z();
+    };
+    os  << time_.timeOutputValue();
     for
     (
-        vector* term :
+        const vector& F :
         {
-            &clumps.rate, &clumps.fluid, &clumps.interior, &clumps.coupling,
-            &clumps.applied
+            clumps_.rate, clumps_.fluid, clumps_.interior, clumps_.coupling,
+            clumps_.applied, fluidRate_, forcing_, patches_, sources_
         }
     )
     {
-        reduce(*term, sumOp<vector>());
+        add(F);
     }
-
-    const vector rate
+    for
     (
-        rho*gSum
-        (
-            mesh_.V()*(U.primitiveField() - U.oldTime().primitiveField())
-        )/time_.deltaTValue()
-    );
-    const vector forcing(cloud.boundary().forceOnFluid(U, rho));
-    scalar onFluid = 0;
-    const vector patches(rho*patchForces(convection, onFluid));
-    const vector source(rho*sources(convection, onFluid));
-
-    const vector ofClumps
-    (
-        clumps.rate - clumps.fluid - clumps.interior - clumps.coupling
-      - clumps.applied
-    );
-    const vector ofFluid(rate - forcing - patches - source);
-    const scalar size = max(onSpheres + rho*onFluid, VSMALL);
-
-    if (Pstream::master())
+        const vector& F :
+        {
+            clumps_.fluid + forcing_, ofClumps, ofFluid, clumps_.coupling,
+            ofClumps + ofFluid + clumps_.fluid + forcing_ + clumps_.coupling
+        }
+    )
     {
-        Ostream& os = table_.open(header());
-        os  << time_.timeOutputValue();
-        for
-        (
-            const vector& F :
-            {
-                clumps.rate, clumps.fluid, clumps.interior, clumps.coupling,
-                clumps.applied, rate, forcing, patches, source
-            }
-        )
-        {
-            os  << '\t' << F.x() << '\t' << F.y() << '\t' << F.z();
-        }
-        for
-        (
-            const vector& F :
-            {
-                clumps.fluid + forcing, ofClumps, ofFluid, clumps.coupling,
-                ofClumps + ofFluid + clumps.fluid + forcing + clumps.coupling
-            }
-        )
-        {
-            os  << '\t' << mag(F)/size;
-        }
-        os  << nl;
-        table_.flush();
+        os  << '\t' << mag(F)/size_;
     }
+    add(momentum_);
+    add(impulse_);
+    os  << '\t' << mag(momentum_ - start_ - impulse_)/impulseSize_ << nl;
+    table_.flush();
 
     return true;
 }

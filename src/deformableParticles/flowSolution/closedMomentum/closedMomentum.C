@@ -1,0 +1,81 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "closedMomentum.H"
+#include "surfaceFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Whether every face of the boundary is a pair of a periodic or processor patch
+bool allCoupled(const fvMesh& mesh)
+{
+    bool result = true;
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        result = result && (patch.coupled() || !patch.size());
+    }
+    return returnReduce(result, andOp<bool>());
+}
+
+bool hasSources(PtrList<fv::option>& options, const word& field)
+{
+    for (fv::option& option : options)
+    {
+        if (option.isActive() && option.applyToField(field) >= 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+}
+
+
+Foam::closedMomentum::closedMomentum
+(
+    deformableCloud& cloud,
+    incompressibleFlow& flow
+)
+:
+    cloud_(cloud),
+    flow_(flow),
+    flowIsClosed_
+    (
+        flow.solved()
+     && cloud.coupled()
+     && allCoupled(flow.U().mesh())
+     && !hasSources(flow.options(), flow.U().name())
+    )
+{}
+
+
+void Foam::closedMomentum::correct()
+{
+    if (!flowIsClosed_ || cloud_.someFixed())
+    {
+        return;
+    }
+    volVectorField& U = flow_.U();
+    const scalarField& V = U.mesh().V();
+    const scalar rho = cloud_.fluidDensity();
+    const scalar dt = U.time().deltaTValue();
+
+    const clumpMomentum& m = cloud_.momentum();
+    const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
+    vector excess(rho*sum(V*change)/dt + m.rate - m.interior - m.applied);
+    scalar mass = rho*sum(V) + cloud_.excessMass();
+    reduce(excess, sumOp<vector>());
+    reduce(mass, sumOp<scalar>());
+
+    const vector dU(-dt*excess/mass);
+    U.primitiveFieldRef() += dU;
+    U.correctBoundaryConditions();
+    flow_.phi() += dimensionedVector("dU", dimVelocity, dU) & U.mesh().Sf();
+    cloud_.changeVelocities(dU);
+}

@@ -13,10 +13,17 @@ namespace
 
 using namespace Foam;
 
-//- Reaction of the forcing [N/m3]
-vector reaction(const hydrodynamicForceModel::flow& f, const label celli)
+//- Velocity that an image imposes at x, with the weights of its spheres
+vector imposed(const clumpImage& image, const point& x, const scalar* w)
 {
-    return f.rho*f.strength[celli]*(f.U[celli] - f.solidVelocity[celli]);
+    vector result(Zero);
+    forAll(image.x, i)
+    {
+        const vector r(x - image.x[i]);
+        result +=
+            w[i]*(image.u[i] + (image.omega[i] ^ r) + image.contraction*r);
+    }
+    return result;
 }
 
 }
@@ -118,25 +125,20 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
         )
         {
             const bool dilates = dilates_ && c.solid > 0;
+            solidVelocity_[c.celli] += share*imposed(image, c.x, w);
+            if (!dilates)
+            {
+                return;
+            }
             const scalar k = image.contraction;
-            vector velocity(Zero);
             scalar dilation = 3*k;
-
             forAll(image.x, i)
             {
                 const vector r(c.x - image.x[i]);
                 const vector u(image.u[i] + (image.omega[i] ^ r) + k*r);
-                velocity += w[i]*u;
-                if (dilates)
-                {
-                    dilation += covered.gradWeight(c, i, w[i], r) & u;
-                }
+                dilation += covered.gradWeight(c, i, w[i], r) & u;
             }
-            solidVelocity_[c.celli] += share*velocity;
-            if (dilates)
-            {
-                dilation_[c.celli] += c.solid*dilation;
-            }
+            dilation_[c.celli] += c.solid*dilation;
         }
     );
 }
@@ -162,7 +164,7 @@ void Foam::immersedBoundary::integrate
 {
     const hydrodynamicForceModel::flow flow
     {
-        U, p, nu, rho, solidFraction_, solidVelocity_, strength_
+        U, p, nu, rho, solidFraction_, strength_
     };
     forceModel_->prepare(flow);
 
@@ -180,13 +182,21 @@ void Foam::immersedBoundary::integrate
             const coveredCell& c, const scalar* w, const scalar share
         )
         {
-            vector density((*forceModel_)(flow, c.celli));
+            // In a mesh cell of several clumps each drags the fluid with its own velocity
+            const vector u
+            (
+                share < 1
+              ? imposed(image, c.x, w)
+              : solidVelocity_[c.celli]
+            );
+            vector density((*forceModel_)(flow, c.celli, u));
             if (covered.presence() < 1)
             {
                 // Divided by the presence later, which other models do not bear
                 const scalar phi = covered.presence();
                 density =
-                    phi*density + (1 - phi)*reaction(flow, c.celli);
+                    phi*density
+                  + (1 - phi)*forceModel_->reaction(flow, c.celli, u);
             }
             const vector F(c.volume*share*density);
             const scalar P = dilates_ ? c.volume*c.solid*rho*p[c.celli] : 0;

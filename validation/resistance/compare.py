@@ -1,35 +1,72 @@
-"""Asymmetry and spectrum of the discrete resistance matrix of a ring over the resolution."""
+"""Asymmetry and spectrum of discrete resistance matrices over the resolution and the body."""
 
 from results import Results, plt, read, save
+from spheres import resistance, stretch
 
 SOURCE = "the adjoint pair; a spectrum of the body, not of the mesh"
 rows = read("data.csv")
-steady = [r for r in rows if r["dilation"] == "yes" and r["steps"] == 20]
+rings = [r for r in rows if r["body"] == "ring"]
+steady = [r for r in rings if r["dilation"] == "yes" and r["steps"] == 20]
 finest = max(r["D_dx"] for r in steady)
 last = next(r for r in steady if r["D_dx"] == finest)
 
 results = Results()
 for r in rows:
-    print(f"D/dx {r['D_dx']:g}, {r['steps']:g} steps, dilation {r['dilation']}: asymmetry "
-          f"{r['asymmetry']:.1e}, "
-          f"eigenvalues {r['smallest']:.3f} to {r['largest']:.3f}, coefficient above "
-          f"{r['largest']/2:.2f}")
+    print(f"{r['body']}, D/dx {r['D_dx']:g}, {r['width_r']:g} radii wide, {r['steps']:g} steps, "
+          f"dilation {r['dilation']}: asymmetry {r['asymmetry']:.1e}, eigenvalues "
+          f"{r['smallest']:.4f} to {r['largest']:.3f}, coefficient above {r['largest']/2:.2f}")
+    if r["steps"] > 1:
+        name = f"{r['body']}, D/dx {r['D_dx']:g}, width {r['width_r']:g}, dilation {r['dilation']}"
+        results.add(f"asymmetry, {name}", r["asymmetry"], "", 0, "1e-5", SOURCE)
+        results.add(f"negative eigenvalue, {name}", min(r["smallest"], 0), "6 pi mu r", 0, "0",
+                    "a motion in a viscous fluid costs power")
 for r in steady:
-    results.add(f"asymmetry, D/dx {r['D_dx']:g}", r["asymmetry"], "", 0, "1e-5", SOURCE)
     results.add(f"largest eigenvalue, D/dx {r['D_dx']:g}", r["largest"], "6 pi mu r", 0, "1.5",
                 SOURCE)
     if r is not last:
         results.add(f"the same over that at D/dx {finest:g}", r["largest"]/last["largest"], "", 1,
                     "8%", SOURCE)
 
+
+def row(body, resolution, width, dilation="yes"):
+    """Stretching of a row of spheres; None where the run was left out."""
+    return next((r["stretch"] for r in rows if r["body"] == body and r["dilation"] == dilation
+                 and (r["D_dx"], r["width_r"]) == (resolution, width)), None)
+
+
+# The disturbance of a stretched body is that of a dipole of forces: walls at a distance L change its
+# resistance by a part of 1/L^3. Their part follows from two boxes on the coarse mesh
+BOXES = 14, 20
+for body, n, spacing, fine in ("dumbbell", 2, 3, True), ("triplet", 3, 2.5, False):
+    centres = [spacing*k for k in range(n)]
+    exact = stretch(resistance(centres), centres)
+    near, far = (row(body, 4, width) for width in BOXES)
+    source = "Gluckman, Pfeffer & Weinbaum 1971, unbounded"
+    name = f"{body} stretched"
+    if far is None:
+        results.add(f"{name}, between walls", near, "6 pi mu r", exact, "8%", source)
+        continue
+    walls = (near - far)/(1 - (BOXES[0]/BOXES[1])**3)
+    results.add(f"{name}, D/dx 4", near - walls, "6 pi mu r", exact, "4%", source)
+    if fine:
+        results.add(f"{name}, D/dx 8", row(body, 8, BOXES[0]) - walls, "6 pi mu r", exact, "2%",
+                    source)
+        results.report(f"{name}, D/dx 4, without dilation", row(body, 4, BOXES[0], "no") - walls,
+                       "6 pi mu r", source)
+if row("fibre", 4, 14):
+    centres = [2.5*k for k in range(8)]
+    exact = stretch(resistance(centres), centres)
+    results.add("fibre stretched, D/dx 4, between walls", row("fibre", 4, 14), "6 pi mu r", exact,
+                "10%", "the same; walls raise it")
+
 figure, axes = plt.subplots()
 for dilation, style in ("yes", "o-"), ("no", "s--"):
-    line = sorted((r["D_dx"], r["largest"], r["smallest"]) for r in rows
-                  if r["dilation"] == dilation and r["steps"] == 20)
+    curve = sorted((r["D_dx"], r["largest"], r["smallest"]) for r in rings
+                   if r["dilation"] == dilation and r["steps"] == 20)
     name = "dilating" if dilation == "yes" else "locked"
-    axes.semilogy([p[0] for p in line], [p[1] for p in line], "C0" + style,
+    axes.semilogy([p[0] for p in curve], [p[1] for p in curve], "C0" + style,
                   label=f"largest, {name} interior")
-    axes.semilogy([p[0] for p in line], [p[2] for p in line], "C1" + style,
+    axes.semilogy([p[0] for p in curve], [p[2] for p in curve], "C1" + style,
                   label=f"smallest, {name} interior")
 axes.set_xlabel("sphere diameter / mesh cell width")
 axes.set_ylabel("eigenvalue / (6 pi mu r)")

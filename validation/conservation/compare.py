@@ -1,5 +1,6 @@
 """Third law, continuity, agreement of ranks and of the force integrals."""
 
+import math
 import re
 from statistics import median_high as median
 from clumpTables import table
@@ -85,6 +86,22 @@ for r in terms:
                     r["total"]/first["total"],
                     "", 0, "3e-2" if most == 16 else "0.3",
                     "zero when the step is iterated to convergence")
+
+for r in read("closed.csv"):
+    name = f"closed system, {r['passes']:g} outer iterations"
+    results.add(f"{name}: mean stream over the fastest clump",
+                r["meanVelocity_m_s"]/r["fastest_m_s"], "", 0, "1e-5", "opposite forces")
+    results.add(f"{name}: total momentum over the impulse of the forces", r["integralError"], "", 0,
+                "1e-12", "opposite forces")
+for r in read("start.csv"):
+    # Basset's force at short times: 6 a^2 sqrt(pi rho mu/t) on a sphere that starts at once
+    radius, rho, mu, time = 1e-3, 1e3, 1e-3, 2e-4
+    mass = (r["density_kg_m3"] + 0.5*rho)*4/3*math.pi*radius**3
+    lost = 12*radius**2*math.sqrt(math.pi*rho*mu*time)/mass
+    ratio = r["density_kg_m3"]/rho
+    results.add(f"sphere of {ratio:g} times the density of the fluid, velocity kept after two steps",
+                r["keptVelocity"], "", ratio/(ratio + 0.5)*(1 - lost), "8%",
+                "added mass and Basset's force")
 
 data = read("data.csv")
 finest = max(r["D_dx"] for r in data)

@@ -18,6 +18,8 @@ RADIUS = 2e-6                           # of the spheres
 END = 2e-3                              # s, 20 steps of 1e-4 s, written four times
 SHIFT = (9.3, 5.1, 9.1)                 # um, of the bodies where the boundaries are periodic
 
+EACH = "writeControl timeStep; writeInterval 1;"
+FIELD = 'libs ("libfieldFunctionObjects.so"); log no; writeFields no; ' + EACH
 DRAG = 6*pi*NU*RHO*RADIUS               # of a sphere [N s/m]
 
 
@@ -73,14 +75,9 @@ class Scene:
             laplacianSchemes { default Gauss linear corrected; }
             interpolationSchemes { default linear; }
             snGradSchemes { default corrected; }""")
-        each = 'libs ("libdeformableParticles.so"); writeControl timeStep; writeInterval 1; '
-        field = each.replace("libdeformableParticles", "libfieldFunctionObjects") + \
-            "log no; writeFields no; "
-        tables = "".join("%s { type %s; %s}\n" % (name, name, each)
+        tables = "".join('%s { type %s; libs ("libdeformableParticles.so"); %s }\n'
+                         % (name, name, EACH)
                          for name in ("clumpForce", "clumpShape", "momentumBalance"))
-        flux = "".join("flux_%s%d { type surfaceFieldValue; %s regionType patch; name %s%d; "
-                       "fields (phi); operation sum; }\n" % (a, i, field, a, i)
-                       for a in "xyz" for i in range(2))
         self.add("system/controlDict", f"""
             application rbcIbFoam; startFrom latestTime; startTime 0; stopAt endTime;
             endTime {END}; deltaT 1e-4; writeControl adjustableRunTime; writeInterval {END/4};
@@ -89,10 +86,9 @@ class Scene:
             functions
             {{
                 {tables}
-                mean {{ type volFieldValue; {field} regionType all; operation volAverage;
+                mean {{ type volFieldValue; {FIELD} regionType all; operation volAverage;
                     fields (U); }}
-                peak {{ type fieldMinMax; {field} mode magnitude; fields (U); }}
-                {flux}
+                peak {{ type fieldMinMax; {FIELD} mode magnitude; fields (U); }}
             }}""")
         self.add("system/decomposeParDict", "method hierarchical;")
         self.add("0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);")
@@ -139,11 +135,11 @@ def split(scene):
 
 
 def refined(scene):
-    blocks(scene, "10 8 8")
+    blocks(scene, "12 10 10")
     scene.add("constant/dynamicMeshDict", """
         dynamicFvMesh dynamicRefineFvMesh; refineInterval 1; field clumpCloseness;
         lowerRefineLevel 0.25; upperRefineLevel 1e9; unrefineLevel 0.1; nBufferLayers 0;
-        maxRefinement 1; maxCells 100000; correctFluxes ((phi none) (phi_0 none));
+        maxRefinement 1; maxCells 100000; correctFluxes ((phi none) (phi_0 none) (sameLevel none));
         dumpLevel true;""")
 
 
@@ -163,6 +159,10 @@ def sides(x, y, z):
             boundary += f"{side} {{ type {kind}; {pair} faces (({face})); }}\n"
             scene.add("0/U", f"boundaryField {{ {side} {{ {U[kind]} }} }}")
             scene.add("0/p", f"boundaryField {{ {side} {{ {p[kind]} }} }}")
+            if kind == "patch":
+                scene.add("system/controlDict", f"functions {{ flux_{side} {{ type "
+                          f"surfaceFieldValue; {FIELD} regionType patch; name {side}; "
+                          "fields (phi); operation sum; } }")
         scene.add("system/blockMeshDict", f"boundary ( {boundary} );")
     return write
 
@@ -176,23 +176,29 @@ def inlet(scene):
 
 
 def gradient(scene):
+    scene.add("0/U", f"internalField uniform ({SPEED} 0 0);")
     scene.add("constant/fvOptions", "drive { type meanVelocityGradient; selectionMode all; "
               f"fields (U); Ubar ({SPEED} 0 0); }}")
 
 
-# Bodies: shape, half the height, and the places of two clumps [um]; spheres that are pulled
+# Bodies: shape, half the height, and the places of two clumps [um]; spheres that are pulled; model
+# that conserves
 
 BODIES = {
-    "sphere": ("type chain; nSpheres 1;", 2, (), ()),
-    "dumbbell": ("type chain; nSpheres 2; spacing 5e-6;", 2.4, (1,), (0,)),
-    "fibre": ("type chain; nSpheres 5; spacing 2.5e-6;", 2.9, (4,), (0,)),
-    "ring": ("type ring; nSpheres 8; ringRadius 3e-6;", 5, (0,), (4,)),
-    "shell": ("type shell; nSpheres 12; shellRadius 2.4e-6;", 4.4, (11,), (8,)),
+    "sphere": ("type chain; nSpheres 1;", 2, (), (), ""),
+    "dumbbell": ("type chain; nSpheres 2; spacing 5e-6;", 2.4, (1,), (0,),
+                 "unionVolume; volumeModulus 1e4;"),
+    "fibre": ("type chain; nSpheres 5; spacing 2.5e-6;", 2.9, (4,), (0,),
+              "unionVolume; volumeModulus 1e4;"),
+    "ring": ("type ring; nSpheres 8; ringRadius 3e-6;", 5, (0,), (4,),
+             "enclosedArea; areaModulus 1e-3;"),
+    "shell": ("type shell; nSpheres 12; shellRadius 2.4e-6;", 4.4, (11,), (8,),
+              "enclosedVolume; volumeModulus 1e4;"),
 }
 
 
 def clumpType(scene, name, body):
-    shape, _, plus, minus = BODIES[body]
+    shape, _, plus, minus, _ = BODIES[body]
     bonds = "" if body == "sphere" else """
         bondModel
         {
@@ -249,18 +255,15 @@ def several(scene):
 
 
 def conserves(scene):
-    models = {"ring": "enclosedArea; areaModulus 1e-5;", "shell": "enclosedVolume; "
-              "volumeModulus 100;", "fibre": "compression; volumeModulus 100;",
-              "dumbbell": "unionVolume; volumeModulus 100;"}
     for name, body in scene.types:
-        if body in models:
-            scene.add("constant/clumpProperties",
-                      f"types {{ {name} {{ conservationModel {{ type {models[body]} }} }} }}")
+        if BODIES[body][4]:
+            scene.add("constant/clumpProperties", f"types {{ {name} {{ conservationModel {{ type "
+                      f"{BODIES[body][4]} }} }} }}")
 
 
 def injects(scene):
     """Through the inlet where there is one, else at a time and place: small beads."""
-    small = RADIUS*0.75
+    small = RADIUS*0.85
     scene.add("constant/clumpProperties", "types { small { shape { type chain; nSpheres 1; "
               f"sphereRadius {small}; }} density {DENSITY}; massModel union; motion free; }} }}")
     if scene.row["driving"] == "inlet":
@@ -282,7 +285,8 @@ FEATURES = {
         "refined": refined,
     },
     "ranks": {
-        str(n): adds("system/decomposeParDict", f"numberOfSubdomains {n}; coeffs {{ n ({n} 1 1); }}")
+        str(n): adds("system/decomposeParDict",
+                     f"numberOfSubdomains {n}; coeffs {{ n ({n} 1 1); }}")
         for n in (1, 2, 3)
     },
     "boundaries": {
@@ -293,8 +297,8 @@ FEATURES = {
         "mixed": sides("patch", "wall", "cyclic"),
     },
     "walls": {
-        "off": adds("constant/clumpProperties", "effects { walls off; }"),
         "auto": nothing,
+        "off": adds("constant/clumpProperties", "effects { walls off; }"),
     },
     "contact": {
         "off": adds("constant/clumpProperties", "effects { contact off; }"),
@@ -323,9 +327,9 @@ FEATURES = {
                            "maxDeltaT 1.3e-4;"),
     },
     "outer": {
+        "tolerance": nothing,
         "1": adds("system/fvSolution", "PISO { nOuterCorrectors 1; }"),
         "3": adds("system/fvSolution", "PISO { nOuterCorrectors 3; couplingTolerance 0; }"),
-        "tolerance": nothing,
     },
     "dilation": {
         "yes": nothing,

@@ -3,6 +3,7 @@
     runPairs.py <folder> quick          the first rows, which cover the most pairs
     runPairs.py <folder> all
     runPairs.py <folder> <row> [<factor>=<level> ...]   one row, changed; its cases are kept
+    runPairs.py <folder> reduce <row> [...]     with the plainest levels that fail as it does
 
 A row on several ranks is compared with a serial run of the same scene, a row that is disturbed
 with the undisturbed run: kill (-9) and go on, restart at half time, and the same on another number
@@ -10,6 +11,7 @@ of ranks.
 """
 
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -23,11 +25,20 @@ from invariants import Judge, resistance
 QUICK = 9
 OTHER = {1: 2, 2: 3, 3: 1}              # ranks after a restart on another number of them
 CLASSES = {"U": "volVectorField", "p": "volScalarField", "g": "uniformDimensionedVectorField"}
-FATAL = "--> FOAM FATAL"
 
 
 class Failed(Exception):
     pass
+
+
+def essence(log):
+    """Of the end of a run that failed"""
+    start = log.find("--> FOAM FATAL")
+    said = re.sub(r"^\[\d+\] ?", "", log[start:] if start >= 0 else log, flags=re.M)
+    if start >= 0:
+        return "        " + said.split("From function")[0].strip()[:600].replace("\n", "\n        ")
+    frames = re.findall(r"(Foam::\w[\w:]*)[^\n]*", said)
+    return "        " + " < ".join(frames[-40:][:12] or said[-300:].split())[:600]
 
 
 class Case:
@@ -79,10 +90,8 @@ class Case:
         if process.returncode:
             with open(log, errors="replace") as file:
                 text = file.read()
-            start = text.find(FATAL)
-            said = text[start:] if start >= 0 else text[-1500:]
-            raise Failed("%s: status %d in %s\n%s" % (" ".join(command), process.returncode,
-                                                     self.folder, said[:1500]))
+            raise Failed("ends with status %d: %s in %s\n%s" % (
+                process.returncode, " ".join(command), self.folder, essence(text)))
 
     def solver(self):
         return ["rbcIbFoam"] if self.ranks == 1 else \
@@ -208,6 +217,19 @@ def runRow(row, folder):
     return judge
 
 
+def reduced(row, folder, allowed):
+    """The row with the first, plainest level of each factor that a failure of it does not need"""
+    def failures(row):
+        return {text.split(":")[0] for text in runRow(row, folder).findings}
+
+    sought = sorted(failures(row))[:1]
+    for factor in reversed(list(FEATURES)):
+        other = dict(row, **{factor: next(iter(FEATURES[factor]))})
+        if other != row and allowed(other) and failures(other).issuperset(sought):
+            row = other
+    return row
+
+
 def main(folder, what, *changes):
     begin = time.time()
     array = CoveringArray({f: list(levels) for f, levels in FEATURES.items()}, FORBIDDEN)
@@ -215,6 +237,9 @@ def main(folder, what, *changes):
     print("%d rows, %d of %d feasible pairs of features covered"
           % (len(array.rows), len(covered), len(array.feasible)))
 
+    reducing = what == "reduce"
+    if reducing:
+        what, *changes = changes
     one = what.isdigit()
     numbers = [int(what)] if one else \
         range(1, (QUICK if what == "quick" else len(array.rows)) + 1)
@@ -231,6 +256,8 @@ def main(folder, what, *changes):
         start = time.time()
         row = dict(array.rows[number - 1], **dict(change.split("=") for change in changes))
         place = os.path.join(folder, "row%d" % number)
+        if reducing:
+            row = reduced(row, place, array.allowed)
         judge = runRow(row, place)
         report("row %d, %.1f s: %s" % (number, time.time() - start, " ".join(
             "%s=%s" % item for item in row.items())), judge)

@@ -206,14 +206,11 @@ class Judge:
                        10*limit)
 
 
-def resistance(folder, row, Case):
-    """The resistance matrix of each body: symmetric, positive definite, also when pulled apart"""
-    for body in FEATURES["bodies"]:
-        if body == "several":
-            continue
-        scene = Scene(dict(row, mesh="box", ranks="1", boundaries="closed", bodies=body,
-                           driving="none", gravity="off", injection="no", conservation="none",
-                           dilation="yes", rotation="wholeClump", step="fixed", outer="1"))
+def resistance(folder, bodies, Case):
+    """The resistance matrix of a body: symmetric, positive definite, also when pulled apart"""
+    for body in bodies:
+        row = {factor: next(iter(levels)) for factor, levels in FEATURES.items()}
+        scene = Scene(dict(row, bodies=body, outer="3"))
         case = Case(os.path.join(folder, body), 1).write(scene)
         case.run("rbcIbFoam", "-resistance", "0", "-steps", "5")
         R = np.loadtxt(case.path("resistance.csv"), delimiter=",")/DRAG

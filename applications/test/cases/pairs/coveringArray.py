@@ -1,0 +1,63 @@
+"""Rows in which every pair of levels of two factors occurs that some row can have.
+
+factors: {factor: [level, ...]}; forbidden: [({factor: levels, ...}, reason), ...]: no row has a
+level of each of these sets. The same factors give the same rows, and
+the first ones cover the most pairs.
+"""
+
+import random
+from itertools import combinations
+
+TRIES = 40          # candidates for each row, of which the one with most new pairs is taken
+
+
+class CoveringArray:
+    def __init__(self, factors, forbidden):
+        self.factors = factors
+        self.forbidden = [sets for sets, _ in forbidden]
+        self.feasible = {
+            pair for a, b in combinations(factors, 2) for x in factors[a] for y in factors[b]
+            for pair in [((a, x), (b, y))] if self.complete(dict(pair)) is not None}
+        self.rows = []
+        self.fill(random.Random(1))
+
+    def allowed(self, row):
+        return not any(all(row.get(factor) in levels for factor, levels in sets.items())
+                       for sets in self.forbidden)
+
+    def complete(self, row, order=None, choose=None):
+        """The first row that has these levels, in this order of the factors; None without one."""
+        if not self.allowed(row):
+            return None
+        rest = [factor for factor in order or self.factors if factor not in row]
+        if not rest:
+            return row
+        levels = self.factors[rest[0]]
+        for level in choose(row, rest[0], levels) if choose else levels:
+            found = self.complete({**row, rest[0]: level}, rest[1:], choose)
+            if found is not None:
+                return found
+        return None
+
+    def pairs(self, row):
+        names = [factor for factor in self.factors if factor in row]
+        return {((a, row[a]), (b, row[b])) for a, b in combinations(names, 2)}
+
+    def fill(self, rng):
+        left = set(self.feasible)
+
+        def choose(row, factor, levels):
+            """The level that covers most first; at random where they cover as many."""
+            return sorted(levels, key=lambda level: (
+                -len(self.pairs({**row, factor: level}) & left), rng.random()))
+
+        while left:
+            best = None
+            for _ in range(TRIES):
+                order = list(self.factors)
+                rng.shuffle(order)
+                row = self.complete(dict(rng.choice(sorted(left))), order, choose)
+                if best is None or len(self.pairs(row) & left) > len(self.pairs(best) & left):
+                    best = row
+            left -= self.pairs(best)
+            self.rows.append({factor: best[factor] for factor in self.factors})

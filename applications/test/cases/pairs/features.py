@@ -1,0 +1,373 @@
+"""The features of the scenes, what they write into a case, and what excludes what.
+
+FEATURES has a factor a line group, with the function that writes each level into a Scene. A new
+level or a new factor is one line there; what it cannot be combined with is one line in FORBIDDEN.
+
+The scene: clumps of spheres of 4 um in 20 x 16 x 16 um, close to each other and to the wall below,
+or across the periodic boundaries. Forces that add up to zero pull the bodies apart.
+"""
+
+from math import pi, tan, radians
+
+LENGTHS = (20, 16, 16)                  # um
+SPEED = 2e-3                            # m/s, of walls and streams
+PULL = 2e-11                            # N
+GRAVITY = (300, -1000, 200)             # m/s2, of a centrifuge
+RHO, DENSITY, NU = 1000, 1100, 1e-6     # of the fluid, of the clumps
+RADIUS = 2e-6                           # of the spheres
+END = 2e-3                              # s, 20 steps of 1e-4 s, written four times
+SHIFT = (9.3, 5.1, 9.1)                 # um, of the bodies where the boundaries are periodic
+
+EACH = "writeControl timeStep; writeInterval 1;"
+FIELD = 'libs ("libfieldFunctionObjects.so"); log no; writeFields no; ' + EACH
+DRAG = 6*pi*NU*RHO*RADIUS               # of a sphere [N s/m]
+
+
+class Scene:
+    """Files of a case as texts; what is added later overrides what stands before."""
+
+    def __init__(self, row):
+        self.row = row
+        self.files = {}
+        self.utilities = ["blockMesh"]  # in this order
+        self.patches = {}               # of each side, x0 to z1: "wall", "cyclic" or "patch"
+        self.shear = 0                  # x per y of the mesh
+        self.types = []
+        self.common()
+        for factor, levels in FEATURES.items():
+            levels[row[factor]](self)
+
+    def add(self, name, text):
+        self.files[name] = self.files.get(name, "") + text + "\n"
+
+    def periodic(self, direction):
+        return self.patches["xyz"[direction] + "0"] == "cyclic"
+
+    def common(self):
+        for name in ("constant/clumpProperties", "system/fvSolution", "system/controlDict"):
+            self.add(name, '#include "$WM_PROJECT_USER_DIR/etc/accuracy/standard/%s"'
+                     % name.split("/")[1])
+        self.add("constant/transportProperties",
+                 f"transportModel Newtonian; nu nu [0 2 -1 0 0 0 0] {NU}; "
+                 f"rho rho [1 -3 0 0 0 0 0] {RHO};")
+        self.add("constant/turbulenceProperties", "simulationType laminar;")
+        self.add("constant/clumpProperties", """
+            integrator { type implicitEuler; tolerance 1e-9; maxIterations 100; }
+            contactModel { type hertz; reducedModulus 1000; restitution 0.5; }
+            wallContactModel { type hertz; reducedModulus 1000; restitution 0.5; }
+            openPatches { fadeLength 3e-6; }""")
+        # Only round-off and the outer correctors shall tell numbers of ranks apart
+        self.add("system/fvSolution", """
+            solvers
+            {
+                "p.*" { solver PCG; preconditioner DIC; tolerance 1e-11; relTol 0; maxIter 3000; }
+                "U.*" { tolerance 1e-12; relTol 0; maxIter 3000; }
+            }
+            PISO { pRefCell 0; pRefValue 0; }""")
+        self.add("system/fvSchemes", """
+            ddtSchemes { default Euler; }
+            gradSchemes { default Gauss linear; grad(U) leastSquares; }
+            divSchemes
+            {
+                default none; div(phi,U) Gauss linear;
+                div((nuEff*dev2(T(grad(U))))) Gauss linear;
+            }
+            laplacianSchemes { default Gauss linear corrected; }
+            interpolationSchemes { default linear; }
+            snGradSchemes { default corrected; }""")
+        tables = "".join('%s { type %s; libs ("libdeformableParticles.so"); %s }\n'
+                         % (name, name, EACH)
+                         for name in ("clumpForce", "clumpShape", "momentumBalance"))
+        self.add("system/controlDict", f"""
+            application rbcIbFoam; startFrom latestTime; startTime 0; stopAt endTime;
+            endTime {END}; deltaT 1e-4; writeControl adjustableRunTime; writeInterval {END/4};
+            writeFormat binary; writePrecision 12; timePrecision 10;
+            libs ("libdeformableParticles.so");
+            functions
+            {{
+                {tables}
+                mean {{ type volFieldValue; {FIELD} regionType all; operation volAverage;
+                    fields (U); }}
+                peak {{ type fieldMinMax; {FIELD} mode magnitude; fields (U); }}
+            }}""")
+        self.add("system/decomposeParDict", "method hierarchical;")
+        self.add("0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);")
+        self.add("0/p", "dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;")
+
+
+def adds(name, text=""):
+    """A level that adds a text to a file."""
+    return lambda scene: scene.add(name, text) if text else None
+
+
+def nothing(scene):
+    pass
+
+
+# Meshes
+
+def blocks(scene, cells, grading="1 1 1", shear=0):
+    scene.shear = shear
+    x, y, z = LENGTHS
+    s = shear*y
+    scene.add("system/blockMeshDict", f"""
+        scale 1e-6;
+        vertices
+        (
+            (0 0 0) ({x} 0 0) ({x + s} {y} 0) ({s} {y} 0)
+            (0 0 {z}) ({x} 0 {z}) ({x + s} {y} {z}) ({s} {y} {z})
+        );
+        blocks ( hex (0 1 2 3 4 5 6 7) ({cells}) simpleGrading ({grading}) );""")
+
+
+def sheared(scene):
+    blocks(scene, "16 13 13", shear=tan(radians(20)))
+    scene.add("system/fvSolution", "PISO { nNonOrthogonalCorrectors 1; }")
+
+
+def split(scene):
+    """Polyhedra where mesh cells in the middle, and at the wall below, are split."""
+    blocks(scene, "14 11 11")
+    scene.add("system/topoSetDict", "actions ( { name fine; type cellSet; action new; "
+              "source boxToCell; box (5e-6 3e-6 3e-6) (13e-6 11e-6 12e-6); } );")
+    scene.add("system/fvSolution", "PISO { nNonOrthogonalCorrectors 1; }")
+    scene.utilities += ["topoSet", "refineHexMesh -overwrite fine"]
+
+
+def refined(scene):
+    blocks(scene, "12 10 10")
+    scene.add("constant/dynamicMeshDict", """
+        dynamicFvMesh dynamicRefineFvMesh; refineInterval 1; field clumpCloseness;
+        lowerRefineLevel 0.25; upperRefineLevel 1e9; unrefineLevel 0.1; nBufferLayers 0;
+        maxRefinement 1; maxCells 100000; correctFluxes ((phi none) (phi_0 none) (sameLevel none));
+        dumpLevel true;""")
+
+
+# Boundaries: in x, y and z
+
+def sides(x, y, z):
+    def write(scene):
+        faces = ("0 4 7 3", "1 2 6 5", "0 1 5 4", "3 7 6 2", "0 3 2 1", "4 5 6 7")
+        U = {"wall": "type noSlip;", "patch": "type zeroGradient;", "cyclic": "type cyclic;"}
+        p = {"wall": "type zeroGradient;", "patch": "type fixedValue; value uniform 0;",
+             "cyclic": "type cyclic;"}
+        boundary = ""
+        for i, face in enumerate(faces):
+            kind, side, other = (x, y, z)[i//2], "xyz"[i//2] + "%d" % (i % 2), (i + 1) % 2
+            scene.patches[side] = kind
+            pair = f"neighbourPatch {side[0]}{other};" if kind == "cyclic" else ""
+            boundary += f"{side} {{ type {kind}; {pair} faces (({face})); }}\n"
+            scene.add("0/U", f"boundaryField {{ {side} {{ {U[kind]} }} }}")
+            scene.add("0/p", f"boundaryField {{ {side} {{ {p[kind]} }} }}")
+            if kind == "patch":
+                scene.add("system/controlDict", f"functions {{ flux_{side} {{ type "
+                          f"surfaceFieldValue; {FIELD} regionType patch; name {side}; "
+                          "fields (phi); operation sum; } }")
+        scene.add("system/blockMeshDict", f"boundary ( {boundary} );")
+    return write
+
+
+# What drives the flow
+
+def inlet(scene):
+    scene.add("0/U", f"internalField uniform ({SPEED} 0 0); boundaryField "
+              f"{{ x0 {{ type fixedValue; value uniform ({SPEED} 0 0); }} }}")
+    scene.add("0/p", "boundaryField { x0 { type zeroGradient; } }")
+
+
+def gradient(scene):
+    scene.add("0/U", f"internalField uniform ({SPEED} 0 0);")
+    scene.add("constant/fvOptions", "drive { type meanVelocityGradient; selectionMode all; "
+              f"fields (U); Ubar ({SPEED} 0 0); }}")
+
+
+# Bodies: shape, half the height, and the places of two clumps [um]; spheres that are pulled; model
+# that conserves
+
+BODIES = {
+    "sphere": ("type chain; nSpheres 1;", 2, (), (), ""),
+    "dumbbell": ("type chain; nSpheres 2; spacing 5e-6;", 2.4, (1,), (0,),
+                 "unionVolume; volumeModulus 1e4;"),
+    "fibre": ("type chain; nSpheres 5; spacing 2.5e-6;", 2.9, (4,), (0,),
+              "unionVolume; volumeModulus 1e4;"),
+    "ring": ("type ring; nSpheres 8; ringRadius 3e-6;", 5, (0,), (4,),
+             "enclosedArea; areaModulus 1e-3;"),
+    "shell": ("type shell; nSpheres 12; shellRadius 2.4e-6;", 4.4, (11,), (8,),
+              "enclosedVolume; volumeModulus 1e4;"),
+}
+
+
+def clumpType(scene, name, body):
+    shape, _, plus, minus, _ = BODIES[body]
+    bonds = "" if body == "sphere" else """
+        bondModel
+        {
+            type elastic;
+            rigidities { normal 70e-12; tangential 20e-12; bending 8e-24; torsional 10e-24; }
+        }
+        dampingModel { type dampingRatio; beta 1; }"""
+    scene.types.append((name, body))
+    scene.add("constant/clumpProperties", f"types {{ {name} {{ shape {{ {shape} sphereRadius "
+              f"{RADIUS}; }} density {DENSITY}; massModel union; motion free; {bonds} }} }}")
+    if plus:
+        scene.add("constant/clumpProperties", f"loads {{ {name} {{ type oppositeForces; "
+                  f"clumpType {name}; direction (1 0 0); plus ({plus[0]}); minus ({minus[0]}); "
+                  f"force {PULL}; }} }}")
+
+
+def place(scene, *clumps):
+    """Type, and the place in um: x, y above the least height of the body, z."""
+    text = ""
+    for name, x, above, z in clumps:
+        at = [x, above + BODIES[dict(scene.types)[name]][1] + 0.6, z]
+        for i in range(3):
+            if scene.periodic(i):
+                at[i] = (at[i] + SHIFT[i]) % LENGTHS[i]
+        at[0] += scene.shear*at[1]
+        text += "{ type %s; position (%.4ge-6 %.4ge-6 %.4ge-6); axis (0 0 1); angle 8; }\n" % (
+            name, *at)
+    scene.add("constant/clumpProperties", f"placement {{ type list; clumps ( {text} ); }}")
+
+
+def pairOf(body, second):
+    def write(scene):
+        clumpType(scene, body, body)
+        first = (5.2, 0, 8) if body == "shell" else (8.5, 0, 5.8)
+        place(scene, (body, *first), (body, *second))
+    return write
+
+
+def spheres(scene):
+    """Two that are pulled apart, and one on its way to the end of the domain."""
+    for name, sign in (("plus", 1), ("minus", -1), ("bead", 0)):
+        clumpType(scene, name, "sphere")
+        if sign:
+            scene.add("constant/clumpProperties", f"loads {{ {name} {{ type pointForces; clumpType "
+                      f"{name}; spheres (0); forces (({sign*PULL} 0 0)); torques ((0 0 0)); "
+                      "factor 1; } }")
+    place(scene, ("minus", 7, 0, 6), ("plus", 10, 1.5, 8.9), ("bead", 16.5, 6.4, 9))
+
+
+def several(scene):
+    for name, body in (("bead", "sphere"), ("dumbbell", "dumbbell"), ("ring", "ring")):
+        clumpType(scene, name, body)
+    place(scene, ("dumbbell", 8, 0, 5.6), ("ring", 9, 0, 10.1), ("bead", 15.5, 7, 4.5))
+
+
+def conserves(scene):
+    for name, body in scene.types:
+        if BODIES[body][4]:
+            scene.add("constant/clumpProperties", f"types {{ {name} {{ conservationModel {{ type "
+                      f"{BODIES[body][4]} }} }} }}")
+
+
+def injects(scene):
+    """Through the inlet where there is one, else at a time and place: small beads."""
+    small = RADIUS*0.85
+    scene.add("constant/clumpProperties", "types { small { shape { type chain; nSpheres 1; "
+              f"sphereRadius {small}; }} density {DENSITY}; massModel union; motion free; }} }}")
+    if scene.row["driving"] == "inlet":
+        text = "type rate; rate 2000; patches (x0); clumpType small; seed 1;"
+    else:
+        x = 15 + 13*scene.shear
+        text = "type timedList; clumps ( " + " ".join(
+            f"{{ type small; time {t}; position ({x}e-6 13e-6 {z}e-6); }}"
+            for t, z in ((3.5e-4, 5), (12.5e-4, 11))) + " );"
+    scene.add("constant/clumpProperties", f"injection {{ more {{ {text} }} }}")
+
+
+FEATURES = {
+    "mesh": {
+        "box": lambda scene: blocks(scene, "16 13 13"),
+        "graded": lambda scene: blocks(scene, "18 15 14", "1.5 ((0.5 0.5 1.6) (0.5 0.5 0.6)) 1.3"),
+        "sheared": sheared,
+        "split": split,
+        "refined": refined,
+    },
+    "ranks": {
+        str(n): adds("system/decomposeParDict",
+                     f"numberOfSubdomains {n}; coeffs {{ n ({n} 1 1); }}")
+        for n in (1, 2, 3)
+    },
+    "boundaries": {
+        "closed": sides("wall", "wall", "wall"),
+        "periodic": sides("cyclic", "cyclic", "cyclic"),
+        "periodicWalls": sides("cyclic", "wall", "cyclic"),
+        "open": sides("patch", "wall", "wall"),
+        "mixed": sides("patch", "wall", "cyclic"),
+    },
+    "walls": {
+        "auto": nothing,
+        "off": adds("constant/clumpProperties", "effects { walls off; }"),
+    },
+    "contact": {
+        "off": adds("constant/clumpProperties", "effects { contact off; }"),
+        "on": adds("constant/clumpProperties", "effects { contact on; }"),
+        "lubricated": adds("constant/clumpProperties", "effects { contact on; } "
+                           "lubrication { type squeezeFilm; roughness 5e-8; }"),
+    },
+    "gravity": {
+        "off": nothing,
+        "on": adds("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (%g %g %g);" % GRAVITY),
+    },
+    "convection": {
+        "auto": nothing,
+        "on": adds("constant/clumpProperties", "effects { convection on; }"),
+    },
+    "driving": {
+        "none": nothing,
+        "gradient": gradient,
+        "movingWall": adds("0/U", "boundaryField { y1 { type fixedValue; "
+                           f"value uniform ({SPEED} 0 0); }} }}"),
+        "inlet": inlet,
+    },
+    "step": {
+        "fixed": nothing,
+        "adjustable": adds("system/controlDict", "adjustTimeStep yes; deltaT 6e-5; "
+                           "maxDeltaT 1.3e-4;"),
+    },
+    "outer": {
+        "tolerance": nothing,
+        "1": adds("system/fvSolution", "PISO { nOuterCorrectors 1; }"),
+        "3": adds("system/fvSolution", "PISO { nOuterCorrectors 3; couplingTolerance 0; }"),
+    },
+    "dilation": {
+        "yes": nothing,
+        "no": adds("constant/clumpProperties", "immersedBoundary { interiorDilation no; }"),
+    },
+    "rotation": {
+        name: adds("constant/clumpProperties", f"rotation {{ type {name}; }}")
+        for name in ("wholeClump", "none", "perSphere")
+    },
+    "bodies": {
+        "spheres": spheres,
+        "dumbbell": pairOf("dumbbell", (10, 0.3, 10.2)),
+        "ring": pairOf("ring", (9.5, 0.4, 10.2)),
+        "fibre": pairOf("fibre", (10, 0.5, 10.2)),
+        "shell": pairOf("shell", (14.4, 0.2, 8.4)),
+        "several": several,
+    },
+    "conservation": {
+        "none": nothing,
+        "one": conserves,
+    },
+    "injection": {
+        "no": nothing,
+        "yes": injects,
+    },
+    "disturbance": {        # see runPairs.py
+        "none": nothing,
+        "kill": nothing,
+        "restart": nothing,
+        "otherRanks": nothing,
+    },
+}
+
+FORBIDDEN = [
+    ({"driving": ["gradient"], "boundaries": ["closed", "open", "mixed"]},
+     "only a flow that is periodic along x has a mean velocity to be held"),
+    ({"driving": ["movingWall"], "boundaries": ["periodic"]}, "there is no wall"),
+    ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls"]},
+     "there is no inlet"),
+    ({"conservation": ["one"], "bodies": ["spheres"]}, "a sphere has no shape to conserve"),
+]

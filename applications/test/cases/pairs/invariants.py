@@ -1,0 +1,227 @@
+"""What holds in every scene, whatever its features."""
+
+import os
+import re
+
+import numpy as np
+
+from clumpTables import table
+from features import (BODIES, DENSITY, DRAG, END, FEATURES, GRAVITY, LENGTHS, PULL, RADIUS, RHO,
+                      SPEED, Scene)
+
+
+def rows(case, name):
+    """A table of a case; empty where it was not written"""
+    folder = os.path.join(case, "postProcessing", name)
+    return table(case, name) if os.path.isdir(folder) else []
+
+
+def column(data, *names):
+    return np.array([[row[name] for name in names] for row in data], dtype=float)
+
+
+def peak(case):
+    """Largest velocity of the fluid in each step"""
+    path = os.path.join(case, "postProcessing", "peak")
+    lines = [line for start in sorted(os.listdir(path), key=float)
+             for line in open(os.path.join(path, start, "fieldMinMax.dat"))]
+    names = [name.strip() for name in lines[1].split("\t")]
+    return np.array([float(line.split("\t")[names.index("max")])
+                     for line in lines if line[0] != "#"])
+
+
+AREA = LENGTHS[1]*LENGTHS[2]*1e-12
+
+
+class Judge:
+    def __init__(self, scene):
+        self.scene, self.row = scene, scene.row
+        self.findings, self.all = [], []
+        self.volume = np.prod(LENGTHS)*1e-18
+        weight = self.weight(3)
+        # The speeds that the scene is driven with: streams, pulled and heavy spheres, and the
+        # stream of a weight that nothing holds
+        self.speed = SPEED*(self.row["driving"] != "none") + PULL/DRAG + np.abs(weight).sum()/DRAG
+        if self.row["boundaries"] == "periodic":
+            self.speed += np.abs(weight).sum()*END/(RHO*self.volume)
+
+    def weight(self, spheres):
+        """Weight less buoyancy of a number of spheres [N]"""
+        on = self.row["gravity"] == "on"
+        return on*spheres*4/3*np.pi*RADIUS**3*(DENSITY - RHO)*np.array(GRAVITY)
+
+    def check(self, name, value, limit, note=""):
+        text = "%s: %.3g, limit %.3g %s" % (name, value, limit, note)
+        self.all.append(text)
+        if not value <= limit:          # nan, too
+            self.fail(text)
+
+    def fail(self, text):
+        self.findings.append(text)
+
+    def run(self, case):
+        """Invariants of one run"""
+        self.log(case)
+        force, shape = rows(case, "clumpForce"), rows(case, "clumpShape")
+        self.bounded(case, force)
+        self.fluxes(case)
+        self.balance(case)
+        self.count(case, force)
+        self.volumes(shape)
+        self.pulled(shape)
+        self.momentum(case, force, shape)
+
+    def log(self, case):
+        """Neither the watchdog nor the coupling complains; the coarse mesh is ours"""
+        with open(os.path.join(case, "log.rbcIbFoam")) as file:
+            text = file.read()
+        said = [part.split("\n\n")[0] for part in text.split("--> FOAM Warning :")[1:]]
+        said = [part for part in said if "accuracyLevel" not in part]
+        self.check("warnings", len(said), 0, " ".join(" ".join(said).split())[:300])
+
+    def bounded(self, case, force):
+        self.check("fluid over driving speed", peak(case).max()/self.speed, 5)
+        clumps = np.linalg.norm(column(force, "Ux", "Uy", "Uz"), axis=1)
+        self.check("clump over driving speed", clumps.max()/self.speed, 5)
+
+    def fluxes(self, case):
+        """What flows in flows out, and meanVelocityGradient reaches its mean"""
+        flux = np.array([column(rows(case, "flux_" + side), "sum(phi)")[:, 0]
+                         for side, kind in self.scene.patches.items() if kind == "patch"])
+        if len(flux):
+            size = np.maximum(np.abs(flux).sum(axis=0), 1e-3*self.speed*AREA)
+            self.check("net flux over flux", np.abs(flux.sum(axis=0)/size).max(), 1e-6)
+        if self.row["driving"] == "gradient":
+            mean = column(rows(case, "mean"), "volAverage(U) x")
+            self.check("mean velocity over Ubar, less 1", abs(mean[-1, 0]/SPEED - 1), 0.02)
+
+    def balance(self, case):
+        """momentumBalance, which holds on a static mesh"""
+        if self.row["mesh"] == "refined":
+            return
+        data = rows(case, "momentumBalance")
+        for name in "thirdLawError", "clumpsError":
+            self.check(name, column(data, name).max(), 1e-12)
+        # The rest converges with the outer correctors
+        if self.row["outer"] == "tolerance":
+            self.check("totalError", column(data, "totalError").max(), 0.05)
+
+    def count(self, case, force):
+        """placed + entered = inside + left; only open patches let clumps out"""
+        part = case if self.row["ranks"] == "1" else os.path.join(case, "processor0")
+        last = max((name for name in os.listdir(part) if name[0].isdigit()), key=float)
+        self.check("end time missed by", abs(float(last) - END)/END, 1e-6)
+        with open(os.path.join(part, last, "uniform", "clumpsCount")) as file:
+            text = file.read()
+
+        def number(entry):
+            return sum(map(int, re.findall(r"\b%s\s+(\d+);" % entry, text)))
+
+        def numbers(group):
+            block = re.search(r"^%s\n\{(.*?)^\}" % group, text, re.S | re.M)
+            return sum(map(int, re.findall(r"\s(\d+);", block.group(1)))) if block else 0
+        placed, entered, left = number("placed"), numbers("entered"), numbers("left")
+        inside = sum(row["time"] == force[-1]["time"] for row in force)
+        self.check("clumps missing", abs(placed + entered - left - inside), 0,
+                   f"{placed} placed, {entered} entered, {left} left, {inside} inside")
+        self.check("clumps placed, difference", abs(placed - (3 if self.row["bodies"] in (
+            "spheres", "several") else 2)), 0)
+        if "patch" not in self.scene.patches.values():
+            self.check("clumps that left without an open patch", left, 0)
+        if self.row["injection"] == "yes":
+            self.check("clumps that did not enter", entered == 0, 0)
+
+    def volumes(self, shape):
+        """Constant of spheres; what is conserved within 1 %; of other shapes within a half"""
+        first, worst = {}, {}
+        bodies = dict(self.scene.types)
+        for row in shape:
+            body = bodies.get(row["type"], "sphere")
+            model = (BODIES[body][4] + ";").split(";")[0]*(self.row["conservation"] == "one")
+            kind, limit = ("volume of spheres", 1e-6) if body == "sphere" else \
+                ("conserved volume", 0.01) if model == "unionVolume" else \
+                ("conserved area", 0.01) if model == "enclosedArea" else ("volume", 0.5)
+            value = row["area" if "area" in kind else "volume"]
+            change = abs(value/first.setdefault(row["clump"], value) - 1)
+            worst[kind, limit] = max(worst.get((kind, limit), 0), change)
+        for (kind, limit), value in worst.items():
+            self.check("change of the " + kind, value, limit)
+
+    def pulled(self, shape):
+        """The drag of the fluid slows a body that is pulled apart: in a fluid at rest its ends
+        move apart no faster than three times as two free spheres"""
+        if self.row["driving"] != "none":
+            return
+        before, fastest = {}, 0
+        for row in shape:
+            key = row["clump"]
+            if key in before and row["L1"] > 1.5*row["L3"]:
+                time, length = before[key]
+                fastest = max(fastest, (row["L1"] - length)/(row["time"] - time))
+            before[key] = row["time"], row["L1"]
+        self.check("elongation over that of free spheres", fastest/(2*PULL/DRAG), 3)
+
+    def momentum(self, case, force, shape):
+        """Of a periodic box: the impulse of the weights, to 0.1 % of that of all forces"""
+        if self.row["boundaries"] != "periodic" or self.row["driving"] != "none" \
+                or self.row["injection"] == "yes":
+            return
+        volume = {}
+        for row in shape:
+            volume.setdefault(row["clump"], row["volume"])
+        excess = sum(volume.values())*(DENSITY - RHO)
+        worst = 0
+        for row in rows(case, "mean"):
+            total = RHO*self.volume*np.array([row["volAverage(U) " + c] for c in "xyz"])
+            for clump in (r for r in force if r["time"] == row["time"]):
+                total += volume[clump["clump"]]*(DENSITY - RHO)*column([clump], "Ux", "Uy", "Uz")[0]
+            weight = excess*np.array(GRAVITY)*(self.row["gravity"] == "on")
+            size = len(volume)*PULL + np.linalg.norm(weight)
+            worst = max(worst, np.linalg.norm(total - weight*row["time"])/(size*row["time"]))
+        self.check("momentum less impulse, over the impulse of all forces", worst, 1e-3)
+
+    def agree(self, name, one, other, limit=1e-6):
+        """Tables of two runs, from the first time of the other one on"""
+        scales = {"clumpForce": (("x", "y", "z"), RADIUS, ("Ux", "Uy", "Uz"), self.speed),
+                  "clumpShape": (("L1", "L2", "L3"), RADIUS,
+                                 ("omegax", "omegay", "omegaz"), self.speed/RADIUS),
+                  "mean": (["volAverage(U) " + c for c in "xyz"], self.speed)}
+        for table_, pairs in scales.items():
+            b = rows(other, table_)
+            a = [row for row in rows(one, table_) if row["time"] > b[0]["time"]*(1 - 1e-6)]
+            keys = [[(row["time"], row.get("clump")) for row in data] for data in (a, b)]
+            if keys[0] != keys[1]:
+                self.fail(f"{name}: other times or clumps in {table_}: {len(a)} and {len(b)} rows")
+                continue
+            for names, scale in zip(pairs[::2], pairs[1::2]):
+                apart = np.abs(column(a, *names) - column(b, *names)).max()/scale
+                self.check(f"{name}: {table_} {names[0]}", apart, limit)
+        a, b = peak(one), peak(other)
+        self.check(f"{name}: largest velocity", np.abs(a[-len(b):] - b).max()/self.speed, limit)
+        force = [column([r for r in rows(case, "clumpForce") if r["time"] >= 0], "Fx", "Fy", "Fz")
+                 for case in (one, other)]
+        force[0] = force[0][-len(force[1]):]
+        if force[0].shape == force[1].shape:
+            self.check(f"{name}: force", np.abs(force[0] - force[1]).max()/np.abs(force[0]).max(),
+                       10*limit)
+
+
+def resistance(folder, bodies, Case):
+    """The resistance matrix of a body: symmetric, positive definite, also when pulled apart"""
+    for body in bodies:
+        row = {factor: next(iter(levels)) for factor, levels in FEATURES.items()}
+        scene = Scene(dict(row, bodies=body, outer="3"))
+        case = Case(os.path.join(folder, body), 1).write(scene)
+        case.run("rbcIbFoam", "-resistance", "0", "-steps", "5")
+        R = np.loadtxt(case.path("resistance.csv"), delimiter=",")/DRAG
+        judge = Judge(scene)
+        judge.check("asymmetry", np.abs(R - R.T).max()/np.abs(R).max(), 1e-3)
+        low = np.linalg.eigvalsh(0.5*(R + R.T))[0]
+        judge.check("1 over the smallest eigenvalue/(6 pi mu r)", 1/max(low, 1e-30), 100)
+        _, _, plus, minus, _ = BODIES.get(body, BODIES["sphere"])
+        if plus:
+            apart = np.zeros(len(R))
+            apart[3*plus[0]], apart[3*minus[0]] = np.sqrt(0.5), -np.sqrt(0.5)
+            judge.check("1 over the drag/(6 pi mu r) of ends pulled apart",
+                        1/max(apart @ R @ apart, 1e-30), 10)
+        yield body, judge

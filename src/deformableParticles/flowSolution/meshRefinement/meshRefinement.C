@@ -8,6 +8,44 @@
 #include "dynamicFvMesh.H"
 #include "incompressibleFlow.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Values beyond the coupled patches, of all fields of the mesh
+template<class Type>
+void updateCoupled(const fvMesh& mesh)
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+    const auto fields = const_cast<fvMesh&>(mesh).lookupClass<fieldType>();
+
+    // In the same order on all processors
+    for (const word& name : fields.sortedToc())
+    {
+        auto& patches = fields[name]->boundaryFieldRef(false);
+        const label startOfRequests = Pstream::nRequests();
+        for (auto& patch : patches)
+        {
+            if (patch.coupled())
+            {
+                patch.initEvaluate(Pstream::commsTypes::nonBlocking);
+            }
+        }
+        Pstream::waitRequests(startOfRequests);
+        for (auto& patch : patches)
+        {
+            if (patch.coupled())
+            {
+                patch.evaluate(Pstream::commsTypes::nonBlocking);
+            }
+        }
+    }
+}
+
+}
+
+
 void Foam::refineAroundClumps
 (
     dynamicFvMesh& mesh,
@@ -38,6 +76,10 @@ void Foam::refineAroundClumps
         }
         if (changed)
         {
+            updateCoupled<scalar>(mesh);
+            updateCoupled<vector>(mesh);
+            updateCoupled<symmTensor>(mesh);
+            updateCoupled<tensor>(mesh);
             cloud.meshChanged();
             flow.meshChanged();
         }

@@ -6,7 +6,9 @@
 #include "meshRefinement.H"
 #include "deformableCloud.H"
 #include "dynamicFvMesh.H"
+#include "foamCompat.H"
 #include "incompressibleFlow.H"
+#include "processorCyclicPolyPatch.H"
 
 namespace
 {
@@ -43,6 +45,47 @@ void updateCoupled(const fvMesh& mesh)
     }
 }
 
+
+//- Fatal where the two halves of a cyclic pair are on different processors, since
+//  OpenFOAM cannot match their refined faces
+void refuseSplitPairs(const fvMesh& mesh)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    labelList split(patches.nNonProcessor(), 0);
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<processorCyclicPolyPatch>(pp))
+        {
+            const cyclicPolyPatch& half = refCast<const cyclicPolyPatch>
+            (
+                refCast<const processorCyclicPolyPatch>(pp).referPatch()
+            );
+            split[half.index()] = 1;
+            split[half.neighbPatchID()] = 1;
+        }
+    }
+    reduceList(split, maxEqOp<label>());
+
+    wordList names;
+    forAll(split, patchi)
+    {
+        if (split[patchi])
+        {
+            names.append(patches[patchi].name());
+        }
+    }
+    if (names.size())
+    {
+        FatalErrorInFunction
+            << "The mesh cannot be refined, since faces of " << flatOutput(names)
+            << " and their periodic counterparts are on different processors." << nl
+            << "    Decompose the case with this entry in system/decomposeParDict:"
+            << nl
+            << "    constraints { pairs { type preservePatches; patches "
+            << flatOutput(names) << "; } }" << exit(FatalError);
+    }
+}
+
 }
 
 
@@ -61,6 +104,10 @@ void Foam::refineAroundClumps
 
     const Time& time = mesh.time();
     const bool first = time.timeIndex() == time.startTimeIndex() + 1;
+    if (first)
+    {
+        refuseSplitPairs(mesh);
+    }
     bool changed = true;
     for (label pass = first ? 10 : 1; pass > 0 && changed; --pass)
     {

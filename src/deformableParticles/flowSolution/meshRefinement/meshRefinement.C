@@ -66,23 +66,24 @@ void refuseSplitPairs(const fvMesh& mesh)
     }
     reduceList(split, maxEqOp<label>());
 
-    wordList names;
+    string names;
     forAll(split, patchi)
     {
         if (split[patchi])
         {
-            names.append(patches[patchi].name());
+            names += (names.empty() ? "" : " ") + patches[patchi].name();
         }
     }
-    if (names.size())
+    if (!names.empty())
     {
         FatalErrorInFunction
-            << "The mesh cannot be refined, since faces of " << flatOutput(names)
-            << " and their periodic counterparts are on different processors." << nl
+            << "The mesh cannot be refined, since faces of the cyclic patches "
+            << names.c_str() << " and their counterparts are on different"
+            << " processors." << nl
             << "    Decompose the case with this entry in system/decomposeParDict:"
             << nl
-            << "    constraints { pairs { type preservePatches; patches "
-            << flatOutput(names) << "; } }" << exit(FatalError);
+            << "    constraints { pairs { type preservePatches; patches ("
+            << names.c_str() << "); } }" << exit(FatalError);
     }
 }
 

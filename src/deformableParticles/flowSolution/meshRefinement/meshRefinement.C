@@ -109,8 +109,9 @@ void Foam::refineAroundClumps
     {
         refuseSplitPairs(mesh);
     }
+    const bool started = time.startTimeIndex() == 0;
     bool changed = true;
-    for (label pass = first ? 10 : 1; pass > 0 && changed; --pass)
+    for (label pass = first && started ? 10 : 1; pass > 0 && changed; --pass)
     {
         cloud.prepareMeshChange();
         changed = mesh.update();

@@ -59,10 +59,11 @@ TEST_CASE("flowGrowth: a start that blows up is seen", "[growth][serial]")
     }
     CHECK(most > 30);
 
-    // A constant force on a fluid at rest
+    // A constant force on a fluid at rest: the third step has three times the
+    // velocity of the first
     flowGrowth start(0, 0);
     for (label step = 1; step <= 100; ++step)
     {
-        CHECK(start.add(1e-4*step, 1e-3*step, 0) < 3);
+        CHECK(start.add(1e-4*step, 1e-3*step, 0) < 3.001);
     }
 }

@@ -43,6 +43,7 @@ Description
 #include "couplingIteration.H"
 #include "incompressibleFlow.H"
 #include "meshRefinement.H"
+#include "obliqueFlux.H"
 #include "resistanceMeasurement.H"
 #include "rotationalCorrection.H"
 #include "runMonitor.H"

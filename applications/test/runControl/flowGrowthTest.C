@@ -46,3 +46,24 @@ TEST_CASE("flowGrowth: a restart goes on as the run does", "[growth][serial]")
         }
     }
 }
+
+
+TEST_CASE("flowGrowth: a start that blows up is seen", "[growth][serial]")
+{
+    // Nearly doubled in every step: 8000 times as fast after fifteen
+    flowGrowth run(0, 0);
+    scalar most = 0;
+    for (label step = 1; step <= 15; ++step)
+    {
+        most = max(most, run.add(1e-4*step, 1e-3*Foam::pow(1.9, step), 0));
+    }
+    CHECK(most > 30);
+
+    // A constant force on a fluid at rest: the third step has three times the
+    // velocity of the first
+    flowGrowth start(0, 0);
+    for (label step = 1; step <= 100; ++step)
+    {
+        CHECK(start.add(1e-4*step, 1e-3*step, 0) < 3.001);
+    }
+}

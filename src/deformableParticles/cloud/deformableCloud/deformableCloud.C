@@ -68,13 +68,8 @@ void Foam::deformableCloud::moveParcels()
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
     if (injector_->inject(*this, count_))
     {
-        // The distances to the walls were measured without the new clumps; outer
-        // correctors need the walls before they are measured again
-        walls_.clear();
-        if (effects_.active("walls"))
-        {
-            walls_.update(ghosts_);
-        }
+        // The distances to the walls were measured without the new clumps
+        renewWalls();
     }
 
     count_.endStep(size());

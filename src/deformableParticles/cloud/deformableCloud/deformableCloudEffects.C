@@ -130,6 +130,16 @@ void Foam::deformableCloud::decideWalls()
 }
 
 
+void Foam::deformableCloud::renewWalls()
+{
+    walls_.clear();
+    if (effects_.active("walls"))
+    {
+        walls_.update(ghosts_);
+    }
+}
+
+
 Foam::string Foam::deformableCloud::idleReason(const word& entry) const
 {
     const gapModel* model = gaps_.model(entry);

@@ -253,7 +253,7 @@ void Foam::deformableCloud::prepareMeshChange()
 void Foam::deformableCloud::meshChanged()
 {
     coupling_->boundary().meshChanged();
-    walls_.clear();
+    renewWalls();
     injector_->meshChanged();
     openPatches_.clear();
 }

@@ -6,7 +6,89 @@
 #include "meshRefinement.H"
 #include "deformableCloud.H"
 #include "dynamicFvMesh.H"
+#include "foamCompat.H"
 #include "incompressibleFlow.H"
+#include "processorCyclicPolyPatch.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Values beyond the coupled patches, of all fields of the mesh
+template<class Type>
+void updateCoupled(const fvMesh& mesh)
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+    const auto fields = const_cast<fvMesh&>(mesh).lookupClass<fieldType>();
+
+    // In the same order on all processors
+    for (const word& name : fields.sortedToc())
+    {
+        auto& patches = fields[name]->boundaryFieldRef(false);
+        const label startOfRequests = Pstream::nRequests();
+        for (auto& patch : patches)
+        {
+            if (patch.coupled())
+            {
+                patch.initEvaluate(Pstream::commsTypes::nonBlocking);
+            }
+        }
+        Pstream::waitRequests(startOfRequests);
+        for (auto& patch : patches)
+        {
+            if (patch.coupled())
+            {
+                patch.evaluate(Pstream::commsTypes::nonBlocking);
+            }
+        }
+    }
+}
+
+
+//- Fatal where the two halves of a cyclic pair are on different processors, since
+//  OpenFOAM cannot match their refined faces
+void refuseSplitPairs(const fvMesh& mesh)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    labelList split(patches.nNonProcessor(), 0);
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<processorCyclicPolyPatch>(pp))
+        {
+            const cyclicPolyPatch& half = refCast<const cyclicPolyPatch>
+            (
+                refCast<const processorCyclicPolyPatch>(pp).referPatch()
+            );
+            split[half.index()] = 1;
+            split[half.neighbPatchID()] = 1;
+        }
+    }
+    reduceList(split, maxEqOp<label>());
+
+    string names;
+    forAll(split, patchi)
+    {
+        if (split[patchi])
+        {
+            names += (names.empty() ? "" : " ") + patches[patchi].name();
+        }
+    }
+    if (!names.empty())
+    {
+        FatalErrorInFunction
+            << "The mesh cannot be refined, since faces of the cyclic patches "
+            << names.c_str() << " and their counterparts are on different"
+            << " processors." << nl
+            << "    Decompose the case with this entry in system/decomposeParDict:"
+            << nl
+            << "    constraints { pairs { type preservePatches; patches ("
+            << names.c_str() << "); } }" << exit(FatalError);
+    }
+}
+
+}
+
 
 void Foam::refineAroundClumps
 (
@@ -23,8 +105,13 @@ void Foam::refineAroundClumps
 
     const Time& time = mesh.time();
     const bool first = time.timeIndex() == time.startTimeIndex() + 1;
+    if (first)
+    {
+        refuseSplitPairs(mesh);
+    }
+    const bool started = time.startTimeIndex() == 0;
     bool changed = true;
-    for (label pass = first ? 10 : 1; pass > 0 && changed; --pass)
+    for (label pass = first && started ? 10 : 1; pass > 0 && changed; --pass)
     {
         cloud.prepareMeshChange();
         changed = mesh.update();
@@ -38,6 +125,10 @@ void Foam::refineAroundClumps
         }
         if (changed)
         {
+            updateCoupled<scalar>(mesh);
+            updateCoupled<vector>(mesh);
+            updateCoupled<symmTensor>(mesh);
+            updateCoupled<tensor>(mesh);
             cloud.meshChanged();
             flow.meshChanged();
         }

@@ -214,7 +214,10 @@ void Foam::functionObjects::momentumBalance::findTerms
     }
     const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
     fluidRate_ = rho*gSum(V*(change - clumps_.correction))/dt;
-    forcing_ = cloud.boundary().forceOnFluid(U, rho);
+    forcing_ =
+        cloud.boundary().forceOnFluid(U, rho)
+      + rho*gSum(V*cloud.boundary().strength().primitiveField())
+       *clumps_.correction;
 
     scalar onFluid = 0;
     patches_ = rho*patchForces(convection, onFluid);

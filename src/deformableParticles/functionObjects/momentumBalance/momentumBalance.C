@@ -55,8 +55,8 @@ functionObjects::tableHeader header()
     {
         result.add(error);
     }
-    result.addVector("momentum", "N s");
-    result.addVector("impulse", "N s");
+    result.addVector("momentum", "N.s");
+    result.addVector("impulse", "N.s");
     result.add("integralError");
     return result;
 }

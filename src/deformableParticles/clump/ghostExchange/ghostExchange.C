@@ -7,8 +7,7 @@
 #include "cyclicPolyPatch.H"
 #include "foamCompat.H"
 #include "processorCyclicPolyPatch.H"
-#include "IPstream.H"
-#include "OPstream.H"
+#include "PstreamBuffers.H"
 #include "HashTable.H"
 
 namespace
@@ -293,6 +292,7 @@ void Foam::ghostExchange::exchange()
 {
     sent_.setSize(neighbours_.size());
     DynamicList<clumpImage> ghosts;
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
     forAll(neighbours_, n)
     {
         ghosts.clear();
@@ -301,7 +301,7 @@ void Foam::ghostExchange::exchange()
             appendImages(i, neighbours_[n], ghosts);
         }
 
-        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        UOPstream os(neighbours_[n], buffers);
         os << label(ghosts.size());
         sent_[n].setSize(ghosts.size());
         forAll(ghosts, i)
@@ -310,6 +310,7 @@ void Foam::ghostExchange::exchange()
             sent_[n][i] = ghosts[i].index;
         }
     }
+    buffers.finishedSends();
 
     for (label i = 0; i < nOwn_; ++i)
     {
@@ -318,7 +319,7 @@ void Foam::ghostExchange::exchange()
 
     for (const label proci : neighbours_)
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
+        UIPstream is(proci, buffers);
         const label n = readLabel(is);
         for (label i = 0; i < n; ++i)
         {
@@ -331,14 +332,16 @@ void Foam::ghostExchange::exchange()
 
 void Foam::ghostExchange::updateVelocities()
 {
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
     forAll(neighbours_, n)
     {
-        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        UOPstream os(neighbours_[n], buffers);
         for (const label i : sent_[n])
         {
             os << images_[i].u << images_[i].omega;
         }
     }
+    buffers.finishedSends();
 
     for (label i = nOwn_; i < images_.size(); ++i)
     {
@@ -353,7 +356,7 @@ void Foam::ghostExchange::updateVelocities()
     // The images of a processor stand in the order in which it sent them
     for (const label proci : neighbours_)
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
+        UIPstream is(proci, buffers);
         for (clumpImage& image : images_)
         {
             if (image.owner == proci)
@@ -370,6 +373,7 @@ void Foam::ghostExchange::returnSums(const First& first, const Second& second)
 {
     const label me = Pstream::myProcNo();
 
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
     for (const label proci : neighbours_)
     {
         DynamicList<label> indices;
@@ -383,9 +387,10 @@ void Foam::ghostExchange::returnSums(const First& first, const Second& second)
                 sums.append(second(image));
             }
         }
-        OPstream os(Pstream::commsTypes::blocking, proci);
+        UOPstream os(proci, buffers);
         os << indices << sums;
     }
+    buffers.finishedSends();
 
     for (label i = nOwn_; i < images_.size(); ++i)
     {
@@ -399,7 +404,7 @@ void Foam::ghostExchange::returnSums(const First& first, const Second& second)
 
     for (const label proci : neighbours_)
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
+        UIPstream is(proci, buffers);
         const labelList indices(is);
         const List<vectorField> sums(is);
         forAll(indices, k)

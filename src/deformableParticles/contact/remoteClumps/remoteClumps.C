@@ -5,6 +5,7 @@
 
 #include "remoteClumps.H"
 #include "Map.H"
+#include "PstreamBuffers.H"
 
 void Foam::remoteClumps::find
 (
@@ -28,6 +29,7 @@ void Foam::remoteClumps::find
             slots_[b] = images[b].index;
         }
     }
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
     forAll(neighbours_, n)
     {
         Map<label> known;
@@ -46,12 +48,13 @@ void Foam::remoteClumps::find
             }
         }
         nAsked_[n] = asked.size();
-        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        UOPstream os(neighbours_[n], buffers);
         os << labelList(asked);
     }
+    buffers.finishedSends();
     forAll(neighbours_, n)
     {
-        IPstream is(Pstream::commsTypes::blocking, neighbours_[n]);
+        UIPstream is(neighbours_[n], buffers);
         is >> wanted_[n];
     }
 }

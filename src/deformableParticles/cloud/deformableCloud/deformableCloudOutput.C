@@ -89,6 +89,7 @@ Foam::scalar Foam::deformableCloud::cellsPerDiameter() const
 void Foam::deformableCloud::writeFields() const
 {
     clumpFields::write(*this, types_);
+    writtenTypes::write(name(), mesh_.time(), types_);
 }
 
 

@@ -104,7 +104,8 @@ void Foam::timeStepControl::measure
 void Foam::timeStepControl::adjust
 (
     const scalar displacementRate,
-    const scalar shortening
+    const scalar shortening,
+    const scalar releaseStep
 )
 {
     read();
@@ -115,6 +116,7 @@ void Foam::timeStepControl::adjust
         scalar used = dt*displacementRate/maxDisplacement_;
         used = max(used, CourantNumber_/maxCo_);
         used = max(used, viscousNumber_/viscousLimit_);
+        used = max(used, dt/releaseStep);
         used = max(used, shortening);
         used = max(used, SMALL);
 

@@ -233,7 +233,13 @@ bool Foam::functionObjects::momentumBalance::write()
       - clumps.applied
     );
     const vector ofFluid(rate - forcing - patches - source);
-    const scalar size = max(onSpheres + rho*onFluid, VSMALL);
+
+    // In a first step from rest the rates may be all there is
+    scalar size = max(onSpheres + rho*onFluid, VSMALL);
+    for (const vector& F : {clumps.rate, clumps.applied, rate, forcing})
+    {
+        size = max(size, mag(F));
+    }
 
     if (Pstream::master())
     {

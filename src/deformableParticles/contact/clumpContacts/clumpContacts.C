@@ -51,7 +51,7 @@ void Foam::clumpContacts::refuseOverlaps
         0.1, placement.getOrDefault<scalar>("maxOverlap", 0)
     );
     scalar deepest = 0;
-    OStringStream said;
+    string said;
     sphereGrid::forEachContact
     (
         images, nOwn, types_,
@@ -83,19 +83,19 @@ void Foam::clumpContacts::refuseOverlaps
             if (depth > max(usual, deepest))
             {
                 deepest = depth;
-                said.rewind();
-                said<< "Entry 'position': clumps " << images[a].id.second()
+                OStringStream os;
+                os  << "Entry 'position': clumps " << images[a].id.second()
                     << " and " << images[b].id.second() << " overlap by "
                     << label(100*depth + 0.5) << " % of a radius at "
                     << images[a].x[i] << ". Contact will push them apart in the"
-                    << " first steps, but rings that are linked cannot part."
-                    << nl;
+                    << " first steps, but rings that are linked cannot part.";
+                said = os.str();
             }
         }
     );
     const scalar most = returnReduce(deepest, maxOp<scalar>());
     if (deepest > 0 && deepest == most)
     {
-        IOWarningInFunction(placement) << said.str().c_str() << endl;
+        IOWarningInFunction(placement) << said.c_str() << endl;
     }
 }

@@ -96,7 +96,12 @@ int main(int argc, char* argv[])
             timeStep.measure(phi, nu, piso);
             convection.decide(U, nu);
         }
-        timeStep.adjust(cloud.maxSpeedOverRadius(), monitor.shortening());
+        timeStep.adjust
+        (
+            cloud.maxSpeedOverRadius(),
+            monitor.shortening(),
+            cloud.releaseStep(timeStep.maxDisplacement())
+        );
 
         ++runTime;
         monitor.beginStep();

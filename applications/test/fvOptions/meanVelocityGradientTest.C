@@ -18,9 +18,16 @@ using namespace Foam;
 namespace
 {
 
-//- Mean velocity over Ubar in steps of dt from rest, in a fluid that in addition loses the
-//  part drag of its velocity per step. Without walls they slip
-scalarList started(const scalar dt, const bool walls, const scalar drag)
+//- Mean velocity [m/s] in steps of dt from rest, in a fluid that in addition loses the part
+//  drag of its velocity per step and gains push [m/s]. Without walls they slip
+List<vector> started
+(
+    const scalar dt,
+    const bool walls,
+    const scalar drag,
+    const string& entries = "Ubar (1e-3 0 0);",
+    const vector& push = Zero
+)
 {
     const fvMesh& mesh = testMesh();
     wordList types(mesh.boundary().size(), zeroGradientFvPatchVectorField::typeName);
@@ -52,8 +59,7 @@ scalarList started(const scalar dt, const bool walls, const scalar drag)
     (
         "testDrive", "meanVelocityGradient", dictOf
         (
-            "type meanVelocityGradient; selectionMode all; fields (U);"
-            "Ubar (1e-3 0 0);"
+            "type meanVelocityGradient; selectionMode all; fields (U);" + entries
         ), mesh
     );
     const dictionary solver
@@ -61,22 +67,20 @@ scalarList started(const scalar dt, const bool walls, const scalar drag)
         dictOf("solver PCG; preconditioner DIC; tolerance 1e-13; relTol 0;")
     );
 
-    scalarList means;
+    List<vector> means;
     for (label n = 0; n < 30; ++n)
     {
         const dimensionedScalar rate("rate", dimless/dimTime, 1/dt);
         fvVectorMatrix equation
         (
             fvm::Sp((1 + drag)*rate, U) - fvm::laplacian(nu, U) - rate*volVectorField(U)
+          - rate*dimensionedVector("push", dimVelocity, push)
         );
         fvVectorMatrix source(U, equation.dimensions());
         drive.addSup(source, 0);
         solve(equation == source, solver);
         drive.correct(U);
-        means.append
-        (
-            gSum(U.primitiveField().component(vector::X)*mesh.V())/gSum(mesh.V())/1e-3
-        );
+        means.append(gSum(U.primitiveField()*mesh.V())/gSum(mesh.V()));
     }
     testTime().setDeltaT(before, false);
     return means;
@@ -94,7 +98,11 @@ TEST_CASE("mean velocity: reached from rest, without swinging past", "[fvOptions
         {
             for (const scalar drag : {0.0, 0.1, 1.0})
             {
-                const scalarList means(started(dt, walls, drag));
+                scalarList means;
+                for (const vector& mean : started(dt, walls, drag))
+                {
+                    means.append(mean.x()/1e-3);
+                }
                 INFO("dt " << dt << ", walls " << walls << ", drag " << drag);
                 CHECK(max(means) < 1.1);
                 CHECK(mag(means[9] - 1) < 0.01);
@@ -102,4 +110,25 @@ TEST_CASE("mean velocity: reached from rest, without swinging past", "[fvOptions
             }
         }
     }
+}
+
+
+TEST_CASE("mean velocity: held as a vector against a slanting push", "[fvOptions]")
+{
+    // Walls in y; x and z are periodic
+    const vector push(1e-4, 0, 5e-5);
+    const auto last = [&](const string& entries)
+    {
+        return started(1e-4, true, 0.1, entries, push).last();
+    };
+    for (const vector& Ubar : {vector(1e-3, 0, 0), vector::zero, vector(3e-4, 0, -2e-4)})
+    {
+        OStringStream entry;
+        entry << "Ubar " << Ubar << ';';
+        INFO(entry.str());
+        CHECK(mag(last(entry.str()) - Ubar) < 1e-9);
+    }
+    const vector free(last("Ubar (1e-3 0 0); free (z);"));
+    CHECK(mag(free.x() - 1e-3) < 1e-9);
+    CHECK(free.z() > 1e-5);
 }

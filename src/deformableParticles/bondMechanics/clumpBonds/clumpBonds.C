@@ -5,12 +5,49 @@
 
 #include "clumpBonds.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- A sphere that bonds do not join to sphere 0; -1 if there is none
+label loose(const clumpType& type)
+{
+    boolList joined(type.size(), false);
+    joined[0] = true;
+    for (bool grows = true; grows; )
+    {
+        grows = false;
+        for (const labelPair& pair : type.pairs())
+        {
+            if (joined[pair.first()] != joined[pair.second()])
+            {
+                joined[pair.first()] = true;
+                joined[pair.second()] = true;
+                grows = true;
+            }
+        }
+    }
+    return joined.find(false);
+}
+
+}
+
+
 Foam::clumpBonds::clumpBonds(const clumpType& type, const dictionary& dict)
 :
     type_(type),
     damped_(false),
     pattern_(type.size(), type.pairs())
 {
+    const label i = loose(type);
+    if (i >= 0 && !type.fixed())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape': bonds join sphere " << i << " to sphere 0 neither"
+            << " directly nor through others. The spheres of a clump that moves"
+            << " must hold together." << exit(FatalIOError);
+    }
     if (type.pairs().size())
     {
         makeBonds(dict);

@@ -20,6 +20,18 @@ void Foam::deformableCloud::refuseIdleEffects() const
     {
         const string reason(idleReason(entry));
         effects_.require(entry.c_str(), reason.empty(), reason);
+        if (const gapModel* model = gaps_.model(entry))
+        {
+            const string idle
+            (
+                model->idleReason(Foam::cbrt(gMax(mesh_.V().field())))
+            );
+            if (idle.size())
+            {
+                FatalIOErrorInFunction(getDict(dict_, entry))
+                    << idle.c_str() << exit(FatalIOError);
+            }
+        }
         if
         (
             reason.empty() && !effects_.switchedOff(entry.c_str())

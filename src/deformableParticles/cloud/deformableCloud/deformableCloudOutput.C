@@ -6,6 +6,7 @@
 #include "deformableCloud.H"
 #include "clumpFields.H"
 #include "clumpInjector.H"
+#include "mathematicalConstants.H"
 #include "vector2D.H"
 
 const Foam::clumpInjector& Foam::deformableCloud::injector() const
@@ -61,6 +62,62 @@ Foam::scalar Foam::deformableCloud::maxSpeedOverRadius() const
 }
 
 
+Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii) const
+{
+    const scalar pi = constant::mathematical::pi;
+    const scalar rho = hasFluid() ? fluidDensity() : 0;
+    const scalar nu =
+        hasFluid()
+      ? gMin(mesh_.lookupObject<volScalarField>("nu").primitiveField()) : 0;
+    const bool heavy = effects_.active("gravity");
+    if (!heavy && loads_.empty())
+    {
+        return GREAT;
+    }
+
+    scalar result = GREAT;
+    for (const clumpParcel& p : *this)
+    {
+        const clumpType& ct = type(p);
+        if (ct.fixed())
+        {
+            continue;
+        }
+        vector F(Zero);
+        if (heavy)
+        {
+            F += (ct.mass() - rho*ct.volume())*g_;
+        }
+        for (const load& l : loads_)
+        {
+            externalForces ext(ct.size());
+            if (l.clumpType() == ct.name())
+            {
+                l.add(mesh_.time().value(), p.centres(), ext);
+            }
+            if (max(mag(ext.k)) == 0)
+            {
+                F += sum(ext.f);
+            }
+        }
+
+        const scalar size = max(mag(F), VSMALL);
+        const scalar way = radii*min(ct.radii());
+        scalar step = Foam::sqrt(way*ct.mass()/size);
+        if (hasFluid())
+        {
+            const scalar R = Foam::cbrt(0.75*ct.volume()/pi);
+            const scalar slow = size/(6*pi*rho*nu*R);
+            const scalar u =
+                2*slow/(1 + Foam::sqrt(1 + 4*slow*R/(30*nu)));
+            step = max(step, way/u);
+        }
+        result = min(result, step);
+    }
+    return returnReduce(result, minOp<scalar>());
+}
+
+
 Foam::label Foam::deformableCloud::mostSpheres() const
 {
     label result = 0;
@@ -89,6 +146,7 @@ Foam::scalar Foam::deformableCloud::cellsPerDiameter() const
 void Foam::deformableCloud::writeFields() const
 {
     clumpFields::write(*this, types_);
+    writtenTypes::write(name(), mesh_.time(), types_);
 }
 
 

@@ -60,7 +60,7 @@ dictionary presentEntries(const dictionary& dict)
             "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "lubrication", "aggregation", "loads", "effects",
             "rotation", "couplingScheme", "immersedBoundary", "openPatches",
-            "accuracyLevel"
+            "typesMayChange", "accuracyLevel"
         }
     );
     return result;
@@ -346,7 +346,10 @@ void Foam::deformableCloud::reportFractions() const
 
 void Foam::deformableCloud::restart()
 {
-    clumpFields::read(*this, types_);
+    clumpFields::read
+    (
+        *this, types_, writtenTypes(name(), mesh_.time(), types_, dict_)
+    );
     Info<< "Read " << returnReduce(size(), sumOp<label>())
         << " clumps from time " << mesh_.time().timeName()
         << (properties().found("placement") ? "; the entry placement is not used" : "")

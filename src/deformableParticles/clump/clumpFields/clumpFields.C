@@ -221,7 +221,8 @@ void Foam::clumpFields::refuseRemains(const Cloud<clumpParcel>& c)
 void Foam::clumpFields::read
 (
     Cloud<clumpParcel>& c,
-    const PtrList<clumpType>& types
+    const PtrList<clumpType>& types,
+    const writtenTypes& written
 )
 {
     // What is too large for the machine becomes infinite, and is refused here
@@ -239,7 +240,10 @@ void Foam::clumpFields::read
     particle::readFields(c);
 
     // At rest first: the lists of a type have their lengths
-    const labelField typeIds(readValues<label>(c, "typeId"));
+    const labelList typeIds
+    (
+        written.present(readValues<label>(c, "typeId"))
+    );
     const scalarField factors(readValues<scalar>(c, "couplingFactor"));
     const labelField overshoots(readValues<label>(c, "couplingOvershoots"));
     i = 0;

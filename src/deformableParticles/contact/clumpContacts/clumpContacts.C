@@ -46,6 +46,12 @@ void Foam::clumpContacts::refuseOverlaps
     const dictionary& placement
 ) const
 {
+    const scalar usual = max
+    (
+        0.1, placement.getOrDefault<scalar>("maxOverlap", 0)
+    );
+    scalar deepest = 0;
+    string said;
     sphereGrid::forEachContact
     (
         images, nOwn, types_,
@@ -68,6 +74,28 @@ void Foam::clumpContacts::refuseOverlaps
                     << "; move the clumps apart."
                     << exit(FatalIOError);
             }
+            const scalar depth =
+                (
+                    ta.radii()[i] + tb.radii()[j]
+                  - mag(images[a].x[i] - images[b].x[j])
+                )
+               /min(ta.radii()[i], tb.radii()[j]);
+            if (depth > max(usual, deepest))
+            {
+                deepest = depth;
+                OStringStream os;
+                os  << "Entry 'position': clumps " << images[a].id.second()
+                    << " and " << images[b].id.second() << " overlap by "
+                    << label(100*depth + 0.5) << " % of a radius at "
+                    << images[a].x[i] << ". Contact will push them apart in the"
+                    << " first steps, but rings that are linked cannot part.";
+                said = os.str();
+            }
         }
     );
+    const scalar most = returnReduce(deepest, maxOp<scalar>());
+    if (deepest > 0 && deepest == most)
+    {
+        IOWarningInFunction(placement) << said.c_str() << endl;
+    }
 }

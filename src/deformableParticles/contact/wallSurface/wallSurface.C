@@ -6,8 +6,7 @@
 #include "wallSurface.H"
 #include "faceTriangles.H"
 #include "wallPolyPatch.H"
-#include "IPstream.H"
-#include "OPstream.H"
+#include "PstreamBuffers.H"
 #include "treeBoundBox.H"
 #include <map>
 #include <tuple>
@@ -87,15 +86,17 @@ void Foam::wallSurface::collect
         return found;
     };
 
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
     for (const label proci : ghosts.neighbours())
     {
-        OPstream os(Pstream::commsTypes::blocking, proci);
+        UOPstream os(proci, buffers);
         os << List<point>(around(proci));
     }
+    buffers.finishedSends();
     corners.append(around(Pstream::myProcNo()));
     for (const label proci : ghosts.neighbours())
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
+        UIPstream is(proci, buffers);
         corners.append(List<point>(is));
     }
 

@@ -325,6 +325,19 @@ Foam::scalar Foam::getBetween
 }
 
 
+Foam::scalar Foam::getBetweenOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar value,
+    const scalar low,
+    const scalar high
+)
+{
+    return dict.found(key) ? getBetween(dict, key, low, high) : value;
+}
+
+
 Foam::label Foam::getNumber
 (
     const dictionary& dict,

@@ -123,5 +123,13 @@ void Foam::solverSettings::check(const volVectorField& U)
             );
         }
     }
+    const word ddt(mesh.ddtScheme("ddt(U)"));
+    if (ddt == "steadyState")
+    {
+        FatalIOErrorInFunction(mesh.schemesDict().subDict("ddtSchemes"))
+            << "The scheme of ddt(U) is steadyState, but the clumps move in time and"
+            << " the pressure equation needs the inertia of a step. Use Euler or"
+            << " another scheme of unsteady flows." << exit(FatalIOError);
+    }
     fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme("ddt(U)"));
 }

@@ -231,6 +231,15 @@ void Foam::functionObjects::momentumBalance::findTerms
     reduce(size_, sumOp<scalar>());
     size_ = max(size_ + rho*onFluid, VSMALL);
 
+    // In a first step from rest the rates may be all there is
+    for
+    (
+        const vector& F : {clumps_.rate, clumps_.applied, fluidRate_, forcing_}
+    )
+    {
+        size_ = max(size_, mag(F));
+    }
+
     momentum_ =
         gSum(rho*V*U.primitiveField())
       + returnReduce(cloud.excessMomentum(), sumOp<vector>());

@@ -13,6 +13,7 @@
 #include "basicSymmetryFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "FlatOutput.H"
+#include "foamCompat.H"
 #include "checkedEntries.H"
 
 namespace Foam
@@ -35,10 +36,10 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
 :
     cellSetOption(sourceName, modelType, dict, mesh),
     Ubar_(Zero),
-    direction_(Zero),
-    gradient_(0),
-    used_(0),
-    mean_(0),
+    held_(Zero),
+    gradient_(Zero),
+    used_(Zero),
+    mean_(Zero),
     response_(0),
     responseStep_(0),
     fresh_(true),
@@ -70,14 +71,23 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
             << flatOutput(mesh.sortedNames<volVectorField>())
             << exit(FatalIOError);
     }
-    checkEntries(dict, {"Ubar", typeName + "Coeffs"}, fvOptionEntries());
-    readMeanVelocity();
-    refuseOthers(dict);
+    checkEntries(dict, {"Ubar", "free", typeName + "Coeffs"}, fvOptionEntries());
+    readMeanVelocity(dict);
 
     if (state_.headerOk())
     {
-        state_.readEntry("gradient", gradient_);
-        mean_ = state_.getOrDefault("mean", mag(Ubar_));
+        // Former versions wrote the components along Ubar
+        const vector along(Ubar_/max(mag(Ubar_), VSMALL));
+        const auto read = [&](const word& key, const vector& otherwise)
+        {
+            return
+                !state_.found(key) ? otherwise
+              : state_.lookup(key)[0].isNumber()
+              ? vector(state_.get<scalar>(key)*along)
+              : state_.get<vector>(key);
+        };
+        gradient_ = read("gradient", Zero);
+        mean_ = read("mean", Ubar_);
         state_.readIfPresent("response", response_);
         state_.readIfPresent("responseStep", responseStep_);
         fresh_ = false;
@@ -85,17 +95,73 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
 }
 
 
-void Foam::fv::meanVelocityGradient::readMeanVelocity()
+void Foam::fv::meanVelocityGradient::readMeanVelocity(const dictionary& dict)
 {
     Ubar_ = getFinite<vector>(coeffs_, "Ubar");
-    if (mag(Ubar_) < VSMALL)
-    {
-        FatalIOErrorInFunction(coeffs_)
-            << "Entry 'Ubar' must not be zero." << exit(FatalIOError);
-    }
-    direction_ = Ubar_/mag(Ubar_);
 
-    if (!returnReduce(flowsFreely(), orOp<bool>()))
+    DynamicList<vector> periods;
+    bool alongOnly = freeDirections(periods);
+    reduce(alongOnly, orOp<bool>());
+    alongOnly = findOthers(dict) || alongOnly;
+
+    // Orthogonal directions: first the free ones, then those that are held
+    DynamicList<vector> axes;
+    const auto add = [&](vector d)
+    {
+        const scalar length = mag(d);
+        for (const vector& axis : axes)
+        {
+            d -= (axis & d)*axis;
+        }
+        if (mag(d) > 1e-6*length)
+        {
+            axes.append(d/mag(d));
+        }
+    };
+    for (const word& name : coeffs_.getOrDefault<wordList>("free", wordList()))
+    {
+        const label d = wordList({"x", "y", "z"}).find(name);
+        if (d < 0)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "Entry 'free' contains " << name << "; valid are x, y and z."
+                << exit(FatalIOError);
+        }
+        vector axis(Zero);
+        axis[d] = 1;
+        if (mag(Ubar_ & axis) > 0)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "Entry 'free' contains " << name << ", but Ubar is " << Ubar_
+                << ": the component must be zero." << exit(FatalIOError);
+        }
+        add(axis);
+    }
+    const label nFree = axes.size();
+    if (alongOnly)
+    {
+        add(Ubar_);
+    }
+    else
+    {
+        List<List<vector>> all(Pstream::nProcs());
+        all[Pstream::myProcNo()] = periods;
+        gatherToAll(all);
+        for (const List<vector>& some : all)
+        {
+            for (const vector& period : some)
+            {
+                add(period);
+            }
+        }
+    }
+    held_ = Zero;
+    for (label k = nFree; k < axes.size(); ++k)
+    {
+        held_ += axes[k]*axes[k];
+    }
+
+    if (mag(Ubar_ - (held_ & Ubar_)) > 1e-6*mag(Ubar_))
     {
         FatalIOErrorInFunction(coeffs_)
             << "Entry 'Ubar' is " << Ubar_ << ", but the boundary conditions fix"
@@ -104,29 +170,34 @@ void Foam::fv::meanVelocityGradient::readMeanVelocity()
             << " patches. The gradient would grow without limit."
             << exit(FatalIOError);
     }
+    if (nFree == axes.size())
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "Entry 'Ubar' is " << Ubar_ << ", but no component of the mean"
+            << " velocity can be held: there are no cyclic patches, or their"
+            << " directions are among the entry 'free'." << exit(FatalIOError);
+    }
 }
 
 
-bool Foam::fv::meanVelocityGradient::flowsFreely() const
+bool Foam::fv::meanVelocityGradient::freeDirections
+(
+    DynamicList<vector>& periods
+) const
 {
     const auto& U = mesh_.lookupObject<volVectorField>(fieldNames_[0]);
+    bool others = false;
     for (const fvPatchVectorField& pf : U.boundaryField())
     {
         const polyPatch& patch = pf.patch().patch();
         if (isA<coupledPolyPatch>(patch))
         {
             const auto& pair = refCast<const coupledPolyPatch>(patch);
-            for (const vector& s : pair.separation())
+            if (pair.separated())
             {
-                if (mag(s & direction_) > 1e-6*mag(s))
-                {
-                    return true;
-                }
+                periods.append(pair.separation()[0]);
             }
-            if (!pair.parallel())
-            {
-                return true;
-            }
+            others = others || !pair.parallel();
         }
         else if
         (
@@ -135,15 +206,16 @@ bool Foam::fv::meanVelocityGradient::flowsFreely() const
          && !pf.fixesValue()
         )
         {
-            return true;
+            others = true;
         }
     }
-    return false;
+    return others;
 }
 
 
-void Foam::fv::meanVelocityGradient::refuseOthers(const dictionary& dict) const
+bool Foam::fv::meanVelocityGradient::findOthers(const dictionary& dict) const
 {
+    bool found = false;
     for (const entry& e : dict.parent())
     {
         if (!e.isDict() || e.keyword() == name_)
@@ -159,11 +231,12 @@ void Foam::fv::meanVelocityGradient::refuseOthers(const dictionary& dict) const
         {
             continue;
         }
+        found = true;
         const vector Ubar
         (
             other.optionalSubDict(typeName + "Coeffs").get<vector>("Ubar")
         );
-        if (mag(Ubar & direction_) > 1e-6*mag(Ubar))
+        if (mag(Ubar & Ubar_) >= 1e-6*mag(Ubar)*mag(Ubar_))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry 'Ubar' is " << Ubar_ << " in " << name_ << " and "
@@ -173,6 +246,7 @@ void Foam::fv::meanVelocityGradient::refuseOthers(const dictionary& dict) const
                 << exit(FatalIOError);
         }
     }
+    return found;
 }
 
 
@@ -224,13 +298,12 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
 }
 
 
-Foam::scalar Foam::fv::meanVelocityGradient::meanOf
+Foam::vector Foam::fv::meanVelocityGradient::meanOf
 (
     const volVectorField& U
 ) const
 {
-    return
-        gSum((U.primitiveField() & direction_)*mesh_.V())/gSum(mesh_.V());
+    return gSum(U.primitiveField()*mesh_.V())/gSum(mesh_.V());
 }
 
 
@@ -243,9 +316,9 @@ void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
         responseStep_ = dt;
     }
 
-    const scalar mean = meanOf(U);
-    const scalar kept = fresh_ ? 0 : response_/dt*(mean - mean_);
-    gradient_ += (mag(Ubar_) - mean - kept)/response_;
+    const vector mean(meanOf(U));
+    const vector kept(fresh_ ? vector::zero : response_/dt*(mean - mean_));
+    gradient_ += held_ & (Ubar_ - mean - kept)/response_;
     mean_ = mean;
     fresh_ = false;
 
@@ -272,7 +345,7 @@ void Foam::fv::meanVelocityGradient::addSup
     used_ = gradient_;
     for (const label celli : cells_)
     {
-        eqn.source()[celli] -= mesh_.V()[celli]*gradient_*direction_;
+        eqn.source()[celli] -= mesh_.V()[celli]*gradient_;
     }
 }
 
@@ -281,7 +354,7 @@ bool Foam::fv::meanVelocityGradient::read(const dictionary& dict)
 {
     if (cellSetOption::read(dict))
     {
-        readMeanVelocity();
+        readMeanVelocity(dict);
         return true;
     }
     return false;

@@ -138,6 +138,16 @@ void Foam::stepReport::endStep()
 
 void Foam::stepReport::explainIdle() const
 {
+    if (runTime_.value() < runTime_.endTime().value() - ROOTVSMALL)
+    {
+        Info<< "Nothing to compute: the case stands at time "
+            << runTime_.timeName() << ", and to endTime in system/controlDict, "
+            << Time::timeName(runTime_.endTime().value()) << ", less than half a step"
+            << " is left (deltaT " << runTime_.deltaTValue() << " s)." << nl
+            << "    To continue, raise endTime or reduce deltaT." << nl << nl
+            << "End" << nl << endl;
+        return;
+    }
     Info<< "Nothing to compute: the case stands at time " << runTime_.timeName()
         << ", and endTime in system/controlDict is "
         << Time::timeName(runTime_.endTime().value()) << '.' << nl

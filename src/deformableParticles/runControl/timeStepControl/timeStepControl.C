@@ -24,7 +24,21 @@ void Foam::timeStepControl::read()
 
 void Foam::timeStepControl::checkPressure()
 {
-    if (viscousNumber_ > viscousLimit_ && !warned_)
+    if (warned_)
+    {
+        return;
+    }
+    if (viscousNumber_ > 1e5)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "The viscous number nu dt/dx^2 is " << viscousNumber_
+            << ": in a step, momentum diffuses over "
+            << label(Foam::sqrt(viscousNumber_)) << " mesh cells. Check nu in"
+            << " constant/transportProperties, in m2/s (water: 1e-6), the scale of"
+            << " the mesh, and deltaT." << endl;
+    }
+    else if (viscousNumber_ > viscousLimit_)
     {
         warned_ = true;
         WarningInFunction
@@ -51,6 +65,21 @@ Foam::timeStepControl::timeStepControl(Time& runTime)
         {"deltaT", "adjustTimeStep", "maxCo", "maxDisplacement", "maxDeltaT"}
     );
     read();
+
+    // A continued run may end within half a step
+    const scalar left = runTime_.endTime().value() - runTime_.value();
+    if
+    (
+        runTime_.startTimeIndex() == 0 && left > 0
+     && runTime_.deltaTValue() > 2*left
+    )
+    {
+        FatalIOErrorInFunction(runTime_.controlDict())
+            << "Entry 'deltaT' is " << runTime_.deltaTValue() << " s, but the whole"
+            << " run takes " << left << " s, to the endTime "
+            << runTime_.endTime().value() << ": there is no step to compute."
+            << " Reduce deltaT." << exit(FatalIOError);
+    }
 }
 
 
@@ -104,7 +133,8 @@ void Foam::timeStepControl::measure
 void Foam::timeStepControl::adjust
 (
     const scalar displacementRate,
-    const scalar shortening
+    const scalar shortening,
+    const scalar releaseStep
 )
 {
     read();
@@ -115,6 +145,7 @@ void Foam::timeStepControl::adjust
         scalar used = dt*displacementRate/maxDisplacement_;
         used = max(used, CourantNumber_/maxCo_);
         used = max(used, viscousNumber_/viscousLimit_);
+        used = max(used, dt/releaseStep);
         used = max(used, shortening);
         used = max(used, SMALL);
 

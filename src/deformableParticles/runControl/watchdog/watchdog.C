@@ -9,6 +9,7 @@
 #include "foamCompat.H"
 #include "fvcDiv.H"
 #include "StringStream.H"
+#include "wallPolyPatch.H"
 
 namespace
 {
@@ -26,6 +27,27 @@ scalar extent(const pointField& x)
     return result;
 }
 
+
+//- ", patch bottom": the wall patch of this processor that is nearest
+string nearestWall(const polyMesh& mesh, const point& x)
+{
+    scalar nearest = GREAT;
+    string result;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(pp) && pp.size())
+        {
+            const scalar d = min(mag(pp.faceCentres() - x));
+            if (d < nearest)
+            {
+                nearest = d;
+                result = ", patch " + pp.name();
+            }
+        }
+    }
+    return result;
+}
+
 }
 
 
@@ -36,7 +58,7 @@ void Foam::watchdog::halve(const bool halves)
 }
 
 
-void Foam::watchdog::stop(const string& what, const char* remedy)
+void Foam::watchdog::stop(const string& what, const string& remedy)
 {
     if (!returnReduce(what.size() > 0, orOp<bool>()))
     {
@@ -55,7 +77,7 @@ void Foam::watchdog::stop(const string& what, const char* remedy)
     runTime_.writeAside("unstable");
     FatalErrorInFunction
         << "The run has become unstable at time " << runTime_.timeName()
-        << ":" << nl << said.c_str() << remedy << nl
+        << ":" << nl << said.c_str() << remedy.c_str() << nl
         << "The state has been written to " << runTime_.timeName()
         << ".unstable. The next run continues from the last time before it;"
         << nl << "rename this folder to " << runTime_.timeName()
@@ -208,6 +230,7 @@ Foam::watchdog::watchdog
 :
     runTime_(runTime),
     cloud_(cloud),
+    deep_(false),
     halves_(false),
     state_
     (
@@ -242,9 +265,85 @@ Foam::watchdog::watchdog
 }
 
 
+void Foam::watchdog::checkWalls()
+{
+    const scalar dt = runTime_.deltaTValue();
+
+    // A sphere that has gone through in this step had its centre behind the wall
+    // before; now the wall may not act on it any more
+    const bool nowDeep = cloud_.overlaps().second() > 1;
+    const bool deep = nowDeep || deep_;
+    deep_ = nowDeep;
+    OStringStream said;
+    for (const clumpParcel& p : cloud_)
+    {
+        const clumpType& type = cloud_.type(p);
+        if (type.fixed())
+        {
+            continue;
+        }
+
+        const pointField x(p.centres());
+        label behind = -1;
+        for (label i = 0; deep && i < x.size() && behind < 0; ++i)
+        {
+            const scalar r = type.radii()[i];
+            scalar height = 0;
+            vector away;
+            if
+            (
+                cloud_.walls().surface().nearest(x[i], 4*r, height, away)
+             && height < -r
+            )
+            {
+                behind = i;
+            }
+        }
+
+        // From where tracking through the mesh has ended
+        const point centre(p.state().centre(type));
+        const scalar outside = mag(centre - dt*p.state().velocity(type));
+        const scalar reach = max(mag(p.state().x - centre) + type.radii());
+        if (behind < 0 && outside < reach)
+        {
+            continue;
+        }
+        said<< "    clump " << p.origId() << " at " << p.centre(type) << ": ";
+        if (behind >= 0)
+        {
+            said<< "sphere " << behind << " has passed through a wall";
+        }
+        else
+        {
+            said<< "it is outside the mesh, behind a wall";
+        }
+        said<< nearestWall(cloud_.pMesh(), p.centre(type)).c_str() << nl;
+    }
+    stop
+    (
+        said.str(),
+        cloud_.effects().switchedOff("walls")
+      ? string("Switch the effect walls on in constant/clumpProperties.")
+      : "The wall yields too much to the force that presses the clump against it."
+        " Increase\nreducedModulus (or stress) of wallContactModel in"
+        " constant/clumpProperties, or: " + smallerStep() + '.'
+    );
+}
+
+
+Foam::string Foam::watchdog::smallerStep() const
+{
+    return
+        runTime_.controlDict().getOrDefault("adjustTimeStep", false)
+      ? "Reduce maxDisplacement or maxDeltaT in system/controlDict"
+      : "Reduce deltaT or set adjustTimeStep yes";
+}
+
+
 void Foam::watchdog::check()
 {
     halve(cloud_.needsShorterStep());
+    checkWalls();
 
     OStringStream said;
     label index = 0;
@@ -278,8 +377,13 @@ void Foam::watchdog::check()
     stop
     (
         said.str(),
-        "Reduce deltaT, set adjustTimeStep yes, increase the coefficient of"
-        " the couplingScheme, or increase nOuterCorrectors."
+        smallerStep()
+      + (
+            cloud_.coupled()
+          ? ", increase the coefficient of the couplingScheme, or increase"
+            " nOuterCorrectors."
+          : "."
+        )
     );
 }
 

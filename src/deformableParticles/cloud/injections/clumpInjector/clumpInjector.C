@@ -61,6 +61,7 @@ void Foam::clumpInjector::begin(const Cloud<clumpParcel>& clumps)
         }
         else
         {
+            i.warnOfEarlyStart();
             i.begin(clumps);
         }
     }

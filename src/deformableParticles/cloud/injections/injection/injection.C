@@ -33,6 +33,23 @@ Foam::injection::injection(const dictionary& dict, const site& s)
 }
 
 
+void Foam::injection::warnOfEarlyStart() const
+{
+    const Time& time = site_.mesh.time();
+    if
+    (
+        dict_.found("start")
+     && start_ < time.value() - 1e-6*time.deltaTValue()
+    )
+    {
+        IOWarningInFunction(dict_)
+            << "Entry 'start' is " << start_ << " s, but the run starts at "
+            << time.timeName() << " s: the injection begins then, and the clumps of"
+            << " the time before are not made up for." << endl;
+    }
+}
+
+
 Foam::wordList Foam::injection::entries(const wordList& others)
 {
     wordList all({"type", "start", "end", "velocity", "minGap"});

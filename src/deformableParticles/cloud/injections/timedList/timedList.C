@@ -117,6 +117,22 @@ void Foam::clumpInjections::timedList::inject
 }
 
 
+void Foam::clumpInjections::timedList::begin(const Cloud<clumpParcel>&)
+{
+    const Time& time = site_.mesh.time();
+    for (const clump& c : clumps_)
+    {
+        if (c.time < time.value() - 1e-6*time.deltaTValue())
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry 'time' is " << c.time << " s, before the start of the run"
+                << " at " << time.timeName() << " s: the clump would enter late,"
+                << " with the first step." << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::clumpInjections::timedList::readState(const dictionary& state)
 {
     injection::readState(state);

@@ -25,6 +25,24 @@ Foam::gapModels::squeezeFilm::squeezeFilm(const dictionary& dict)
 }
 
 
+Foam::string Foam::gapModels::squeezeFilm::idleReason
+(
+    const scalar cellWidth
+) const
+{
+    if (roughness_ < range(cellWidth))
+    {
+        return "";
+    }
+    OStringStream os;
+    os  << "Entry 'roughness' is " << roughness_ << " m, but the film acts below the"
+        << " gap " << range(cellWidth) << " m (cutOff " << cutOff_
+        << " of the width of the mesh cells) and above the roughness only. Reduce the"
+        << " roughness; tens of nanometres are usual.";
+    return os.str();
+}
+
+
 Foam::scalar Foam::gapModels::squeezeFilm::resistance
 (
     const scalar gap,

@@ -19,7 +19,7 @@ namespace forcingModels
 
 Foam::forcingModels::sharp::sharp(const dictionary& dict)
 :
-    displacement_(getNonNegativeOrDefault(dict, "displacement", 1.0/6)),
+    displacement_(getBetweenOrDefault(dict, "displacement", 1.0/6, 0, 1)),
     full_(getPositiveOrDefault(dict, "fullCoefficient", 600))
 {
     checkEntries(dict, {"type", "displacement", "fullCoefficient"});

@@ -109,7 +109,7 @@ void Foam::coveredCells::findCells
             (
                 {
                     celli, surface.centreInside, surface.wallConductance,
-                    c.x, c.volume, fraction, 0, 0, Zero
+                    c.x, c.volume, fraction, 0, 0, 0, Zero
                 }
             );
         }

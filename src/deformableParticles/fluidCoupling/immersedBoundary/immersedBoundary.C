@@ -87,6 +87,8 @@ void Foam::immersedBoundary::allocate()
     const label n = mesh_.nCells();
     sumLambda_ = scalarField(n, Zero);
     sumShare_ = scalarField(n, Zero);
+    sumFriction_ = scalarField(n, Zero);
+    frictionVelocity_ = vectorField(n, Zero);
 }
 
 
@@ -208,6 +210,27 @@ void Foam::immersedBoundary::fade(const volScalarField& nu)
 }
 
 
+void Foam::immersedBoundary::setFriction(const volScalarField& nu)
+{
+    for (coveredCells& c : covered_)
+    {
+        for (coveredCell& cell : c.cells())
+        {
+            const label celli = cell.celli;
+            const scalar share = cell.share/max(sumShare_[celli], VSMALL);
+            cell.friction =
+                share < 1
+              ? min
+                (
+                    share*strength_[celli],
+                    4*nu[celli]/sqr(geometry_[celli].width)
+                )
+              : 0;
+        }
+    }
+}
+
+
 void Foam::immersedBoundary::update
 (
     UList<clumpImage>& images,
@@ -241,6 +264,7 @@ void Foam::immersedBoundary::update
     }
     setStrengths(nu);
     fade(nu);
+    setFriction(nu);
     if (dilates_)
     {
         setTensions(images);

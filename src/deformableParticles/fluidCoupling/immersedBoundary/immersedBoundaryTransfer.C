@@ -13,6 +13,12 @@ namespace
 
 using namespace Foam;
 
+//- Reaction of the forcing [N/m3]
+vector reaction(const hydrodynamicForceModel::flow& f, const label celli)
+{
+    return f.rho*f.strength[celli]*(f.U[celli] - f.solidVelocity[celli]);
+}
+
 //- Velocity that an image imposes at x, with the weights of its spheres
 vector imposed(const clumpImage& image, const point& x, const scalar* w)
 {
@@ -112,6 +118,8 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
         {
             solidVelocity_[c.celli] = Zero;
             dilation_[c.celli] = 0;
+            sumFriction_[c.celli] = 0;
+            frictionVelocity_[c.celli] = Zero;
         }
     }
 
@@ -125,7 +133,13 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
         )
         {
             const bool dilates = dilates_ && c.solid > 0;
-            solidVelocity_[c.celli] += share*imposed(image, c.x, w);
+            const vector velocity(imposed(image, c.x, w));
+            solidVelocity_[c.celli] += share*velocity;
+            if (c.friction > 0)
+            {
+                sumFriction_[c.celli] += c.friction;
+                frictionVelocity_[c.celli] += c.friction*velocity;
+            }
             if (!dilates)
             {
                 return;
@@ -164,7 +178,7 @@ void Foam::immersedBoundary::integrate
 {
     const hydrodynamicForceModel::flow flow
     {
-        U, p, nu, rho, solidFraction_, strength_
+        U, p, nu, rho, solidFraction_, solidVelocity_, strength_
     };
     forceModel_->prepare(flow);
 
@@ -182,23 +196,24 @@ void Foam::immersedBoundary::integrate
             const coveredCell& c, const scalar* w, const scalar share
         )
         {
-            // In a mesh cell of several clumps each drags the fluid with its own velocity
-            const vector u
-            (
-                share < 1
-              ? imposed(image, c.x, w)
-              : solidVelocity_[c.celli]
-            );
-            vector density((*forceModel_)(flow, c.celli, u));
+            vector density((*forceModel_)(flow, c.celli));
             if (covered.presence() < 1)
             {
                 // Divided by the presence later, which other models do not bear
                 const scalar phi = covered.presence();
                 density =
-                    phi*density
-                  + (1 - phi)*forceModel_->reaction(flow, c.celli, u);
+                    phi*density + (1 - phi)*reaction(flow, c.celli);
             }
-            const vector F(c.volume*share*density);
+            vector F(c.volume*share*density);
+            if (c.friction > 0)
+            {
+                F +=
+                    c.volume*rho*c.friction
+                   *(
+                        frictionVelocity_[c.celli]/sumFriction_[c.celli]
+                      - imposed(image, c.x, w)
+                    );
+            }
             const scalar P = dilates_ ? c.volume*c.solid*rho*p[c.celli] : 0;
 
             imageForces& fluid = image.fluid;

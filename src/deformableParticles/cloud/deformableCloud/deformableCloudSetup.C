@@ -356,7 +356,15 @@ void Foam::deformableCloud::restart()
         << endl;
 
     // Written by setClumps, not by a run: at rest unless they were given a velocity
-    starts_ = !isFile(mesh_.time().timePath()/"uniform"/"time");
+    const IOdictionary ofRun
+    (
+        IOobject
+        (
+            "time", mesh_.time().timeName(), "uniform", mesh_.time(),
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    starts_ = ofRun.empty();
     if (starts_)
     {
         for (const clumpParcel& p : *this)

@@ -169,7 +169,7 @@ void Foam::immersedBoundary::fade(const volScalarField& nu)
     bool whole = true;
     for (const coveredCells& c : covered_)
     {
-        whole = whole && c.presence() == 1;
+        whole = whole && (c.presence() == 1 || c.cells().empty());
     }
     if (whole)
     {

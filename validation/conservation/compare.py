@@ -99,7 +99,7 @@ for r in read("start.csv"):
     mass = (r["density_kg_m3"] + 0.5*rho)*4/3*math.pi*radius**3
     lost = 12*radius**2*math.sqrt(math.pi*rho*mu*time)/mass
     ratio = r["density_kg_m3"]/rho
-    results.add(f"sphere of {ratio:g} times the density of the fluid, velocity kept after two steps",
+    results.add(f"sphere of {ratio:g} times the density of the fluid, velocity after two steps",
                 r["keptVelocity"], "", ratio/(ratio + 0.5)*(1 - lost), "8%",
                 "added mass and Basset's force")
 

@@ -34,8 +34,8 @@ def row(body, resolution, width, dilation="yes"):
                  and (r["D_dx"], r["width_r"]) == (resolution, width)), None)
 
 
-# The disturbance of a stretched body is that of a dipole of forces: walls at a distance L change its
-# resistance by a part of 1/L^3. Their part follows from two boxes on the coarse mesh
+# The disturbance of a stretched body is that of a dipole of forces: walls at a distance L change
+# its resistance by a part of 1/L^3. Their part follows from two boxes on the coarse mesh
 BOXES = 14, 20
 for body, n, spacing, fine in ("dumbbell", 2, 3, True), ("triplet", 3, 2.5, False):
     centres = [spacing*k for k in range(n)]

@@ -1,8 +1,8 @@
 """Resistance of spheres in a row that move along their line of centres in an unbounded Stokes flow.
 
-The stream function is a sum over the spheres of the singular solutions r^(1-n) I_n and r^(3-n) I_n in
-spherical coordinates about each centre, with the Gegenbauer functions I_n. Their coefficients follow
-from the velocities at points on all surfaces by least squares; that of r I_2 is the force.
+The stream function is a sum over the spheres of the singular solutions r^(1-n) I_n and r^(3-n) I_n
+in spherical coordinates about each centre, with the Gegenbauer functions I_n. Their coefficients
+follow from the velocities at points on all surfaces by least squares; that of r I_2 is the force.
 
     Gluckman, M. J., Pfeffer, R., & Weinbaum, S. (1971). A new technique for treating multiparticle
     slow viscous flow: axisymmetric flow past spheres and spheroids. J. Fluid Mech. 50, 705-740.

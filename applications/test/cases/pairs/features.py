@@ -137,7 +137,7 @@ def split(scene):
 def refined(scene):
     blocks(scene, "12 10 10")
     scene.add("constant/dynamicMeshDict", """
-        dynamicFvMesh dynamicRefineFvMesh; refineInterval 1; field clumpCloseness;
+        dynamicFvMesh clumpRefineFvMesh; refineInterval 1; field clumpCloseness;
         lowerRefineLevel 0.25; upperRefineLevel 1e9; unrefineLevel 0.1; nBufferLayers 0;
         maxRefinement 1; maxCells 100000; correctFluxes ((phi none) (phi_0 none) (sameLevel none));
         dumpLevel true;""")

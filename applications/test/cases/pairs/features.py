@@ -141,6 +141,8 @@ def refined(scene):
         lowerRefineLevel 0.25; upperRefineLevel 1e9; unrefineLevel 0.1; nBufferLayers 0;
         maxRefinement 1; maxCells 100000; correctFluxes ((phi none) (phi_0 none) (sameLevel none));
         dumpLevel true;""")
+    scene.add("system/decomposeParDict",
+              "constraints { siblings { type refinementHistory; } }")
 
 
 # Boundaries: in x, y and z

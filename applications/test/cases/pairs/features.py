@@ -166,6 +166,10 @@ def sides(x, y, z):
                           f"surfaceFieldValue; {FIELD} regionType patch; name {side}; "
                           "fields (phi); operation sum; } }")
         scene.add("system/blockMeshDict", f"boundary ( {boundary} );")
+        pairs = " ".join(side for side, kind in scene.patches.items() if kind == "cyclic")
+        if scene.row["mesh"] == "refined" and pairs:
+            scene.add("system/decomposeParDict",
+                      f"constraints {{ pairs {{ type preservePatches; patches ({pairs}); }} }}")
     return write
 
 

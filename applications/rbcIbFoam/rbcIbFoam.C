@@ -18,7 +18,7 @@ Description
     constant/clumpProperties (see deformableCloud).
 
     With constant/dynamicMeshDict the mesh refines around the clumps
-    (dynamicRefineFvMesh on the field clumpCloseness, see immersedBoundary).
+    (clumpRefineFvMesh on the field clumpCloseness, see immersedBoundary).
 
     Without a fluid (no constant/transportProperties) the clumps move alone. With a
     frozen flow, or with feedback off (clumpProperties, effects), the flow drags

@@ -137,10 +137,12 @@ def split(scene):
 def refined(scene):
     blocks(scene, "12 10 10")
     scene.add("constant/dynamicMeshDict", """
-        dynamicFvMesh dynamicRefineFvMesh; refineInterval 1; field clumpCloseness;
+        dynamicFvMesh clumpRefineFvMesh; refineInterval 1; field clumpCloseness;
         lowerRefineLevel 0.25; upperRefineLevel 1e9; unrefineLevel 0.1; nBufferLayers 0;
         maxRefinement 1; maxCells 100000; correctFluxes ((phi none) (phi_0 none) (sameLevel none));
         dumpLevel true;""")
+    scene.add("system/decomposeParDict",
+              "constraints { siblings { type refinementHistory; } }")
 
 
 # Boundaries: in x, y and z
@@ -164,6 +166,10 @@ def sides(x, y, z):
                           f"surfaceFieldValue; {FIELD} regionType patch; name {side}; "
                           "fields (phi); operation sum; } }")
         scene.add("system/blockMeshDict", f"boundary ( {boundary} );")
+        pairs = " ".join(side for side, kind in scene.patches.items() if kind == "cyclic")
+        if scene.row["mesh"] == "refined" and pairs:
+            scene.add("system/decomposeParDict",
+                      f"constraints {{ pairs {{ type preservePatches; patches ({pairs}); }} }}")
     return write
 
 

@@ -13,6 +13,17 @@ namespace Foam
 }
 
 
+Foam::point Foam::clumpParcel::inside
+(
+    const polyMesh& mesh,
+    const point& position,
+    const label celli
+)
+{
+    return position + 1e-9*(mesh.cellCentres()[celli] - position);
+}
+
+
 Foam::clumpParcel::clumpParcel
 (
     const polyMesh& mesh,
@@ -22,7 +33,7 @@ Foam::clumpParcel::clumpParcel
     const clumpState& state
 )
 :
-    particle(mesh, position, celli),
+    particle(mesh, inside(mesh, position, celli), celli),
     typeId_(typeId),
     state_(state),
     fluidForces_(state.x.size(), Zero),
@@ -31,7 +42,25 @@ Foam::clumpParcel::clumpParcel
     overshoots_(0),
     displacement_(Zero),
     target_(position)
-{}
+{
+    state_.x += position - this->position();
+}
+
+
+void Foam::clumpParcel::autoMap
+(
+    const point& position,
+    const mapPolyMesh& mapper
+)
+{
+    label celli = mapper.reverseCellMap()[cell()];
+    if (celli < -1)
+    {
+        celli = -celli - 2;     // merged
+    }
+    relocate(inside(mesh(), position, celli), celli);
+    state_.x += position - this->position();
+}
 
 
 void Foam::clumpParcel::recentre(const clumpType& type)

@@ -293,6 +293,12 @@ void Foam::incompressibleFlow::meshChanged()
 {
     *phi_ = fvc::flux(*U_);
     phi_->oldTime() = fvc::flux(U_->oldTime());
+    if (transport_->get<word>("transportModel") == "Newtonian")
+    {
+        // The mean of eight equal values differs from them by round-off
+        U_->mesh().lookupObjectRef<volScalarField>("nu") ==
+            dimensionedScalar("nu", dimViscosity, *transport_);
+    }
     if (carried_.valid())
     {
         carried_->meshChanged();

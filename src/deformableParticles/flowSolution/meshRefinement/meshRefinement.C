@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshRefinement.H"
+#include "clumpRefineFvMesh.H"
 #include "deformableCloud.H"
-#include "dynamicFvMesh.H"
 #include "foamCompat.H"
 #include "incompressibleFlow.H"
 #include "processorCyclicPolyPatch.H"
@@ -108,6 +108,18 @@ void Foam::refineAroundClumps
     if (first)
     {
         refuseSplitPairs(mesh);
+        if
+        (
+            Pstream::parRun() && isA<dynamicRefineFvMesh>(mesh)
+         && !isA<clumpRefineFvMesh>(mesh)
+        )
+        {
+            WarningInFunction
+                << "The mesh cells that " << mesh.type() << " refines depend on the"
+                << " decomposition." << nl << "    Set dynamicFvMesh "
+                << clumpRefineFvMesh::typeName << " in "
+                << time.constant()/"dynamicMeshDict" << '.' << endl;
+        }
     }
     const bool started = time.startTimeIndex() == 0;
     bool changed = true;

@@ -96,7 +96,10 @@ int main(int argc, char* argv[])
             timeStep.measure(phi, nu, piso);
             convection.decide(U, nu);
         }
-        timeStep.adjust(cloud.maxSpeedOverRadius(), monitor.shortening());
+        if (!resistance.wanted())
+        {
+            timeStep.adjust(cloud.maxSpeedOverRadius(), monitor.shortening());
+        }
 
         ++runTime;
         monitor.beginStep();

@@ -83,9 +83,9 @@ void Foam::jointMinimiser::evaluate()
     forAll(potentials_, m)
     {
         const scalar W = potentials_[m].value(state(m), &g_[m]);
-        sums_ += vector(W, sqr(newtonMinimiser::size(type(m), g_[m])), mag(W));
+        sums_ += vector2D(W, sqr(newtonMinimiser::size(type(m), g_[m])));
     }
-    reduce(sums_, sumOp<vector>());
+    reduce(sums_, sumOp<vector2D>());
 }
 
 
@@ -212,8 +212,7 @@ void Foam::jointMinimiser::takeStep()
         before[m].x = state(m).x;
         before[m].q = state(m).q;
     }
-    const vector sums0(sums_);
-    const scalar rounding = 1e-10*sums0.z();
+    const vector2D sums0(sums_);
     const scalar slope0 = mag(dot(g_, d_));
 
     // A contact that begins is not in the tangent: where the step goes too far, the
@@ -238,8 +237,8 @@ void Foam::jointMinimiser::takeStep()
         reduce(lastStep_, maxOp<scalar>());
         evaluate();
 
-        // Close to the minimum the sum no longer changes but by rounding, while its
-        // gradient still does
+        // Close to the minimum the sum changes by rounding and by what its gradient leaves
+        // out (see newtonMinimiser), while the gradient still falls
         const scalar slope = dot(g_, d_);
         if
         (
@@ -248,7 +247,7 @@ void Foam::jointMinimiser::takeStep()
              && (attempt == 0 || attempt > 30 || mag(slope) < 0.5*slope0)
             )
          || lastStep_ <= tolerance_
-         || (sums_.x() <= sums0.x() + rounding && sums_.y() < sums0.y())
+         || (lastStep_ < sameTangent && sums_.y() < sums0.y())
         )
         {
             return;

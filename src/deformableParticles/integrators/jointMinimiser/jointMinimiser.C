@@ -11,6 +11,9 @@ namespace
 {
     //- Largest displacement, in sphere radii, after which a tangent is still used
     constexpr Foam::scalar sameTangent = 1e-3;
+
+    //- The same, below which the gradient alone decides
+    constexpr Foam::scalar close = 1e-6;
 }
 
 
@@ -83,9 +86,9 @@ void Foam::jointMinimiser::evaluate()
     forAll(potentials_, m)
     {
         const scalar W = potentials_[m].value(state(m), &g_[m]);
-        sums_ += vector2D(W, sqr(newtonMinimiser::size(type(m), g_[m])));
+        sums_ += vector(W, sqr(newtonMinimiser::size(type(m), g_[m])), mag(W));
     }
-    reduce(sums_, sumOp<vector2D>());
+    reduce(sums_, sumOp<vector>());
 }
 
 
@@ -212,7 +215,8 @@ void Foam::jointMinimiser::takeStep()
         before[m].x = state(m).x;
         before[m].q = state(m).q;
     }
-    const vector2D sums0(sums_);
+    const vector sums0(sums_);
+    const scalar rounding = 1e-10*sums0.z();
     const scalar slope0 = mag(dot(g_, d_));
 
     // A contact that begins is not in the tangent: where the step goes too far, the
@@ -238,7 +242,7 @@ void Foam::jointMinimiser::takeStep()
         evaluate();
 
         // Close to the minimum the sum changes by rounding and by what its gradient leaves
-        // out (see newtonMinimiser), while the gradient still falls
+        // out, while the gradient still falls
         const scalar slope = dot(g_, d_);
         if
         (
@@ -247,7 +251,10 @@ void Foam::jointMinimiser::takeStep()
              && (attempt == 0 || attempt > 30 || mag(slope) < 0.5*slope0)
             )
          || lastStep_ <= tolerance_
-         || (lastStep_ < sameTangent && sums_.y() < sums0.y())
+         || (
+                (sums_.x() <= sums0.x() + rounding || lastStep_ < close)
+             && sums_.y() < sums0.y()
+            )
         )
         {
             return;

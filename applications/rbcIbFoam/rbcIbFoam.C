@@ -96,12 +96,15 @@ int main(int argc, char* argv[])
             timeStep.measure(phi, nu, piso);
             convection.decide(U, nu);
         }
-        timeStep.adjust
-        (
-            cloud.maxSpeedOverRadius(),
-            monitor.shortening(),
-            cloud.releaseStep(timeStep.maxDisplacement())
-        );
+        if (!resistance.wanted())
+        {
+            timeStep.adjust
+            (
+                cloud.maxSpeedOverRadius(),
+                monitor.shortening(),
+                cloud.releaseStep(timeStep.maxDisplacement())
+            );
+        }
 
         ++runTime;
         monitor.beginStep();

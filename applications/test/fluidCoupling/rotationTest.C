@@ -90,6 +90,11 @@ TEST_CASE("rotation: forces are the transpose of velocities", "[rotation][adjoin
 
     clumpState s(type);
     disturb(type, s, 0.3, random);
+    if (GENERATE(true, false))
+    {
+        // One sphere next to the centre
+        s.x[0] = s.centre(type) + 0.01*type.radii()[0]*randomVector(random);
+    }
 
     vectorField fluidTorques(n), f(n, Zero), t(n, Zero);
     for (vector& torque : fluidTorques)
@@ -108,4 +113,49 @@ TEST_CASE("rotation: forces are the transpose of velocities", "[rotation][adjoin
 
     // A couple has no net force
     CHECK(mag(sum(f)) < 1e-12*(sum(mag(f)) + VSMALL));
+}
+
+
+TEST_CASE("rotation: a sphere near the centre gets no more than the others", "[rotation][serial]")
+{
+    // Five spheres in a row, the middle one off the centre and pushed away from the line
+    dictionary dict(cellDict());
+    dict.set
+    (
+        "shape",
+        dictOf("type chain; nSpheres 5; spacing 1.5e-6; sphereRadius 1e-6;")
+    );
+    const clumpType type("chain", dict);
+    const scalar a = type.radii()[2];
+    const scalar speed = 1e-3;
+
+    const auto angular = [&](const scalar distance)
+    {
+        clumpState s(type);
+        const point centre(s.centre(type));
+        const vector along(normalised(s.x[4] - s.x[0]));
+        s.x[2] = centre + distance*along;
+        s.u[2] = speed*normalised(along ^ vector(1, 2, 3));
+        const vector r(s.x[2] - s.centre(type));
+        const vector u(s.u[2] - s.velocity(type));
+        const vector found
+        (
+            rotationOf("perSphere")->angularVelocities(type, s)[2]
+        );
+        // Eq. 13 farther than its radius from the centre
+        if (mag(r) > a)
+        {
+            CHECK(mag(found - (r ^ u)/magSqr(r)) < 1e-12*mag(found));
+        }
+        return mag(found);
+    };
+
+    for (scalar d = -3*a; d < 3*a; d += 0.01*a)
+    {
+        CHECK(a*angular(d) < 1.25*speed);
+
+        // Smooth
+        CHECK(mag(angular(d + 0.01*a) - angular(d)) < 0.05*speed/a);
+    }
+    CHECK(a*angular(1e-5*a) < 1e-3*speed);
 }

@@ -377,3 +377,10 @@ FORBIDDEN = [
      "there is no inlet"),
     ({"conservation": ["one"], "bodies": ["spheres"]}, "a sphere has no shape to conserve"),
 ]
+
+# Changes of the plainest row, of the first levels, that failed once
+FOUND = [
+    {"rotation": "perSphere", "bodies": "fibre"},
+    {"contact": "lubricated", "bodies": "fibre", "conservation": "one"},
+    {"outer": "1", "dilation": "no", "bodies": "ring"},
+]

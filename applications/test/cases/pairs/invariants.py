@@ -207,10 +207,11 @@ class Judge:
 
 
 def resistance(folder, bodies, Case):
-    """The resistance matrix of a body: symmetric, positive definite, also when pulled apart"""
+    """The resistance matrix of a body: symmetric, positive definite, also when pulled apart. Its
+    columns take the same steps where those of the case adjust"""
     for body in bodies:
         row = {factor: next(iter(levels)) for factor, levels in FEATURES.items()}
-        scene = Scene(dict(row, bodies=body, outer="3"))
+        scene = Scene(dict(row, bodies=body, outer="3", step="adjustable"))
         case = Case(os.path.join(folder, body), 1).write(scene)
         case.run("rbcIbFoam", "-resistance", "0", "-steps", "5")
         R = np.loadtxt(case.path("resistance.csv"), delimiter=",")/DRAG

@@ -19,7 +19,7 @@ import sys
 import time
 
 from coveringArray import CoveringArray
-from features import END, FEATURES, FORBIDDEN, Scene
+from features import END, FEATURES, FORBIDDEN, FOUND, Scene
 from invariants import Judge, resistance
 
 QUICK = 8
@@ -263,6 +263,12 @@ def main(folder, what, *changes):
             "%s=%s" % item for item in row.items())), judge)
         if not one:
             shutil.rmtree(place)
+    for found in [] if one else FOUND:
+        start = time.time()
+        row = {factor: found.get(factor, next(iter(FEATURES[factor]))) for factor in FEATURES}
+        judge = runRow(row, os.path.join(folder, "found"))
+        report("found, %.1f s: %s" % (time.time() - start, " ".join(
+            "%s=%s" % item for item in found.items())), judge)
     bodies = ["dumbbell"] if what == "quick" else [b for b in FEATURES["bodies"] if b != "several"]
     for body, judge in [] if one else resistance(folder, bodies, Case):
         report("resistance of " + body, judge)

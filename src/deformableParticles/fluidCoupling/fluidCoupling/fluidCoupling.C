@@ -337,12 +337,22 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     const scalar share =
         step.deflated ? deflations_[p.typeId()].translation() : 1;
     const scalar ofViscosity = max(share*sum(z*dd), VSMALL);
-    const scalar fluid =
-        sum((step.lastFluidForces - p.fluidForces()) & d)
-      - (boundary_->addsInteriorInertia() ? step.presence*inside : 0);
+    vectorField Gd(step.lastFluidForces - p.fluidForces());
+    if (boundary_->addsInteriorInertia())
+    {
+        Gd -= step.presence*rho_/dt*type.volumes()*d;
+    }
+    const scalar fluid = sum(Gd & d);
 
     const scalar q = (own + fluid)/max(inertia + ofViscosity, VSMALL);
-    if (q <= 1.5)
+
+    // The motion that a locked interior resists most is seldom d itself
+    const bool locked = !boundary_->dilates();
+    const scalar stiffest =
+        locked && fluid > 0
+      ? sum(magSqr(Gd)/(share*z + rho_*type.volumes()/dt))/fluid
+      : q;
+    if (max(q, stiffest) <= 1.5)
     {
         return 1;
     }
@@ -355,11 +365,13 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     sure =
         sure
      || (
-            explains && moved && asAWhole
+            explains && moved && (asAWhole || locked)
          && sum(dd) > 1e-4*sum(magSqr(step.end.u))
         );
 
-    return min(q + (q - 1)*inertia/ofViscosity, maxRaise);
+    const scalar most = max(q, stiffest);
+
+    return min(most + (most - 1)*inertia/ofViscosity, maxRaise);
 }
 
 

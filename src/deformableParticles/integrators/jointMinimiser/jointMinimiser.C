@@ -11,6 +11,9 @@ namespace
 {
     //- Largest displacement, in sphere radii, after which a tangent is still used
     constexpr Foam::scalar sameTangent = 1e-3;
+
+    //- The same, below which the gradient alone decides
+    constexpr Foam::scalar close = 1e-6;
 }
 
 
@@ -238,8 +241,8 @@ void Foam::jointMinimiser::takeStep()
         reduce(lastStep_, maxOp<scalar>());
         evaluate();
 
-        // Close to the minimum the sum no longer changes but by rounding, while its
-        // gradient still does
+        // Close to the minimum the sum changes by rounding and by what its gradient leaves
+        // out, while the gradient still falls
         const scalar slope = dot(g_, d_);
         if
         (
@@ -248,7 +251,10 @@ void Foam::jointMinimiser::takeStep()
              && (attempt == 0 || attempt > 30 || mag(slope) < 0.5*slope0)
             )
          || lastStep_ <= tolerance_
-         || (sums_.x() <= sums0.x() + rounding && sums_.y() < sums0.y())
+         || (
+                (sums_.x() <= sums0.x() + rounding || lastStep_ < close)
+             && sums_.y() < sums0.y()
+            )
         )
         {
             return;

@@ -5,6 +5,20 @@
 
 #include "perSphere.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- 1/|r|^2 of Eq. 13, bounded in a sphere of the radius a around the centre
+scalar inverseSquare(const vector& r, const scalar a)
+{
+    const scalar s = magSqr(r)/sqr(a);
+    return (s < 1 ? 3 - 3*s + sqr(s) : 1/s)/sqr(a);
+}
+
+}
+
 namespace Foam
 {
 namespace rotationModels
@@ -28,10 +42,8 @@ Foam::vectorField Foam::rotationModels::perSphere::angularVelocities
     forAll(result, i)
     {
         const vector r(s.x[i] - centre);
-        if (mag(r) > 1e-6*type.radii()[i])
-        {
-            result[i] = (r ^ (s.u[i] - velocity))/magSqr(r);
-        }
+        result[i] =
+            inverseSquare(r, type.radii()[i])*(r ^ (s.u[i] - velocity));
     }
     return result;
 }
@@ -52,12 +64,12 @@ void Foam::rotationModels::perSphere::transpose
     forAll(fluidTorques, i)
     {
         const vector r(s.x[i] - centre);
-        if (mag(r) > 1e-6*type.radii()[i])
-        {
-            const vector f((fluidTorques[i] ^ r)/magSqr(r));
-            forces[i] += f;
-            total += f;
-        }
+        const vector f
+        (
+            inverseSquare(r, type.radii()[i])*(fluidTorques[i] ^ r)
+        );
+        forces[i] += f;
+        total += f;
     }
 
     // u_cm is a mean over the spheres

@@ -1,22 +1,22 @@
 """A chain of spheres in Stokes flow without a mesh: its effective aspect ratio, and the growth of a
 small bend in shear.
 
-As in ../tumblingRing/aspectRatio.py regularised Stokeslets on the surface of the union give the forces
-f of the fluid with the velocity u on points that move with v, S f = u - v. The chain lies along the
-axis of compression of a shear flow of rate 1; in the frame that turns with the vorticity u =
-(-x, y, 0)/2. It bends without stretching, so that sphere i turns by the angle
+As in ../tumblingRing/aspectRatio.py regularised Stokeslets on the surface of the union give the
+forces f of the fluid with the velocity u on points that move with v, S f = u - v. The chain lies
+along the axis of compression of a shear flow of rate 1; in the frame that turns with the
+vorticity u = (-x, y, 0)/2. It bends without stretching, so that sphere i turns by the angle
 
     theta_i = sum_j q_j sin((2j - 1) pi s_i/l),     j = 1, 2, 3
 
-(l: from the first to the last centre), which keeps the ends free of moments. With J the velocities of
-the points per velocity of a coordinate (translation, rotation, q) and the elastic energy
-E = B/(2 b) sum (theta_i+1 - theta_i)^2 of bonds of length b, virtual power gives
+(l: from the first to the last centre), which keeps the ends free of moments. With J the
+velocities of the points per velocity of a coordinate (translation, rotation, q) and the elastic
+energy E = B/(2 b) sum (theta_i+1 - theta_i)^2 of bonds of length b, virtual power gives
 
     J^T S^-1 J dq/dt = J^T S^-1 u - dE/dq
 
-The change of dq/dt with q is A - B C. The largest eigenvalue of its part for the bends is the growth
-rate of a bend. Lengths are over the radius and forces over 8 pi mu. The values for two densities of
-points are extrapolated linearly to zero spacing.
+The change of dq/dt with q is A - B C. The largest eigenvalue of its part for the bends is the
+growth rate of a bend. Lengths are over the radius and forces over 8 pi mu. The values for two
+densities of points are extrapolated linearly to zero spacing.
 
     python3 bending.py      # writes reference/*.csv, two minutes
 """
@@ -33,8 +33,8 @@ SPHERES, MODES, SMALL = 15, 3, 0.01
 
 
 def chain(spheres, n):
-    """Points on the union of unit spheres a radius apart along x, about n on a lone sphere: from the
-    centre of their sphere, and its number."""
+    """Points on the union of unit spheres a radius apart along x, about n on a lone sphere: from
+    the centre of their sphere, and its number."""
     p = np.tile(sphere_points(n), (spheres, 1))
     owner = np.repeat(np.arange(spheres), n)
     x = p[:, 0] + owner

@@ -1,15 +1,15 @@
 """Growth of a small bend of a fibre in shear by slender-body theory.
 
 A fibre of length L lies along the axis of compression of a shear flow of rate G, its angle to the
-flow -45 degrees. In the frame that turns with the vorticity the flow along and across it is
-(-G s/2, G h/2) at the arc length s from its middle and the deflection h. The local theory (Batchelor
+flow -45 degrees. In the frame that turns with the vorticity the flow along and across it is (-G
+s/2, G h/2) at the arc length s from its middle and the deflection h. The local theory (Batchelor
 1970, Cox 1970) gives the force of the fluid per length
 
     f = z (I - tt/2) (u - v),       z = 8 pi mu/c,      c = -ln((r/L)^2 e)
 
-with the tangent t and the radius r. Along the fibre T' + f_t = 0 with T = 0 at the ends: the tension
-T = -z G (L^2/4 - s^2)/8 is a compression. Across it, (T h')' - B h'''' + f_n = 0 with the bending
-stiffness B. With lengths over L and times over 1/G, and to first order in h,
+with the tangent t and the radius r. Along the fibre T' + f_t = 0 with T = 0 at the ends: the
+tension T = -z G (L^2/4 - s^2)/8 is a compression. Across it, (T h')' - B h'''' + f_n = 0 with the
+bending stiffness B. With lengths over L and times over 1/G, and to first order in h,
 
     dh/dt = h/2 + s h'/2 - (1/4 - s^2) h''/8 - h''''/m,     m = z G L^4/B = 8 pi mu G L^4/(c B)
 

@@ -104,7 +104,8 @@ for run, h in cases("tumbling"):
                np.degrees(np.unwrap(np.arctan2(ratio*np.sin(p), np.cos(p)))), "k", lw=1,
                label=f"Jeffery, aspect ratio {ratio:.2f}")
 panel.set(xlabel="shear rate x time", ylabel="angle turned [degrees]", title="stiff fibre")
-panel.legend()
+if panel.lines:
+    panel.legend()
 
 # Growth of the bend while the fibre passes the axis of compression
 panel = axes[1, 1]

@@ -31,23 +31,33 @@ def velocities(x, rho, centre):
     return np.array(axial).T, np.array(radial).T
 
 
-def resistance(centres):
-    """Matrix of forces over velocities, in 6 pi mu a; centres in radii a."""
+def forces(centres, motions):
+    """Forces of the spheres on the fluid, in 6 pi mu a times the velocity; centres in radii a. A
+    motion gives the axial and radial velocity on sphere k at points (x, rho)."""
     cosine, _ = legendre.leggauss(POINTS)
     rows, given = [], []
     for k, centre in enumerate(centres):
         x, rho = centre + cosine, np.sqrt(1 - cosine**2)
         parts = [velocities(x, rho, other) for other in centres]
         rows += [np.hstack([p[0] for p in parts]), np.hstack([p[1] for p in parts])]
-        moves = np.zeros((2*POINTS, len(centres)))
-        moves[:POINTS, k] = 1
-        given.append(moves)
+        given.append(np.array([np.hstack(motion(k, x, rho)) for motion in motions]).T)
     A = np.vstack(rows)
     scale = np.abs(A).max(axis=0)
     solution = np.linalg.lstsq(A/scale, np.vstack(given), rcond=None)[0]/scale[:, None]
 
     # A single sphere has the coefficient -3/2
     return solution[1::2*TERMS]/-1.5
+
+
+def resistance(centres):
+    """Matrix of forces over velocities, in 6 pi mu a; centres in radii a."""
+    return forces(centres, [lambda k, x, rho, moved=moved: ((k == moved) + 0*x, 0*rho)
+                            for moved in range(len(centres))])
+
+
+def straining(centres):
+    """Forces of a fluid with the velocity (x, -rho/2) on the spheres held in it."""
+    return forces(centres, [lambda k, x, rho: (-x, rho/2)])[:, 0]*-1
 
 
 def stretch(matrix, centres):

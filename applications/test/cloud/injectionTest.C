@@ -134,6 +134,13 @@ struct device
         return
             min(mag(b.centres() - x) - types[b.typeId()].radii()) - r;
     }
+
+    //- Centre of mass of the clump that was added last
+    point lastCentre() const
+    {
+        const clumpParcel& p = *clumps->last();
+        return p.centre(types[p.typeId()]);
+    }
 };
 
 string rateOf(const scalar perStep, const string& others)
@@ -141,12 +148,6 @@ string rateOf(const scalar perStep, const string& others)
     return
         "type rate; patches (inlet); seed 3; velocity (1e-3 0 0); rate "
       + Foam::name(perStep/testTime().deltaTValue()) + "; " + others;
-}
-
-//- Centre of mass of the clump that was added last
-point lastCentre(const deformableCloud& cloud)
-{
-    return cloud.last()->centre(cloud.type(*cloud.last()));
 }
 
 }
@@ -379,7 +380,7 @@ TEST_CASE("injection: a stretch repeats itself", "[injection]")
     {
         CHECK
         (
-            mag(lastCentre(*d.clumps) - point(1.1e-6, 9e-6, 11e-6)) < 1e-15
+            mag(d.lastCentre() - point(1.1e-6, 9e-6, 11e-6)) < 1e-15
         );
     }
     const label copy = d.source->nInjected();
@@ -406,7 +407,7 @@ TEST_CASE("injection: a stretch repeats itself", "[injection]")
     {
         CHECK
         (
-            mag(lastCentre(*d.clumps) - point(1e-6, 5e-6, 5e-6)) < 1e-15
+            mag(d.lastCentre() - point(1e-6, 5e-6, 5e-6)) < 1e-15
         );
     }
 }

@@ -249,8 +249,8 @@ def main(folder, what, *changes):
         nonlocal bad
         bad += bool(judge.findings)
         print("%s %s" % ("FAILED" if judge.findings else "passed", name))
-        print("".join("    %s\n" % text for text in (judge.all if one else []) + judge.findings),
-              end="", flush=True)
+        print("".join("    %s\n" % text for text in (judge.all if one else []) + judge.findings
+                      + ["known miss, " + known for known in judge.known]), end="", flush=True)
 
     for number in numbers:
         start = time.time()

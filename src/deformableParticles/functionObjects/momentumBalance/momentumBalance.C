@@ -226,7 +226,15 @@ void Foam::functionObjects::momentumBalance::findTerms
     size_ = 0;
     for (const clumpParcel& p : cloud)
     {
-        size_ += sum(mag(p.fluidForces()));
+        const vectorField& fluid = p.fluidForces();
+        const vectorField& all = p.step().forces.f;
+        size_ += sum(mag(fluid));
+
+        // Clumps that have entered in this step have no forces yet
+        if (all.size())
+        {
+            size_ += sum(mag(all - fluid));
+        }
     }
     reduce(size_, sumOp<scalar>());
     size_ = max(size_ + rho*onFluid, VSMALL);

@@ -76,7 +76,9 @@ def at_finest(velocity):
 source = "spheres in a periodic slit, the undeformed ring exact (cellDrag.py)"
 
 # Explained in the README
-known = {(4, 650): 0.13479}
+# The stretched ring meets the fluid in every motion since its volume is kept by a contraction
+# (imageForces); before, with the net dilation taken from its velocities, 0.13479
+known = {(4, 650): 0.135873}
 results = Results()
 sweep = ours(4, 1e-3)
 for run in sweep or ours(4):

@@ -64,16 +64,16 @@ Foam::scalar Foam::deformableCloud::maxSpeedOverRadius() const
 
 Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii) const
 {
-    const scalar pi = constant::mathematical::pi;
-    const scalar rho = hasFluid() ? fluidDensity() : 0;
-    const scalar nu =
-        hasFluid()
-      ? gMin(mesh_.lookupObject<volScalarField>("nu").primitiveField()) : 0;
     const bool heavy = effects_.active("gravity");
     if (!heavy && loads_.empty())
     {
         return GREAT;
     }
+    const scalar pi = constant::mathematical::pi;
+    const scalar rho = hasFluid() ? fluidDensity() : 0;
+    const scalar nu =
+        hasFluid()
+      ? gMin(mesh_.lookupObject<volScalarField>("nu").primitiveField()) : 0;
 
     scalar result = GREAT;
     for (const clumpParcel& p : *this)

@@ -47,6 +47,7 @@ Description
 #include "resistanceMeasurement.H"
 #include "rotationalCorrection.H"
 #include "runMonitor.H"
+#include "slidingMesh.H"
 #include "timeStepControl.H"
 
 int main(int argc, char* argv[])
@@ -76,6 +77,7 @@ int main(int argc, char* argv[])
     convectionCriterion convection(cloud, resistance.wanted());
     couplingIteration coupling(cloud, flow, !resistance.wanted());
     closedMomentum momentum(cloud, flow);
+    slidingMesh sliding(cloud, flow, !resistance.wanted());
 
     if (flow.solved())
     {
@@ -93,7 +95,7 @@ int main(int argc, char* argv[])
 
         if (flow.solved())
         {
-            timeStep.measure(phi, nu, piso);
+            timeStep.measure(sliding.flux(), nu, piso);
             convection.decide(U, nu);
         }
         if (!resistance.wanted())
@@ -111,8 +113,9 @@ int main(int argc, char* argv[])
 
         if (flow.solved())
         {
+            sliding.beginStep();
+            coupling.beginStep();
             refineAroundClumps(mesh, cloud, flow);
-            flow.beginStep();
 
             if (cloud.coupled())
             {

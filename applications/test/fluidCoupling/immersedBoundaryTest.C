@@ -164,6 +164,31 @@ TEST_CASE("boundary: the pressure's level does no work on a clump", "[boundary][
 }
 
 
+TEST_CASE("boundary: the fluid meets a clump in the middle of its step", "[boundary]")
+{
+    // The centre of the solid volume, before and with the motion; half a mesh cell
+    const scalar dt = testTime().deltaTValue();
+    const vector way(0.4e-6, 0.3e-6, -0.2e-6);
+    testCloud t(point(9e-6, 10e-6, 11e-6), 2/dt*way, Zero);
+    const auto centre = [&]
+    {
+        const scalarField V
+        (
+            t.boundary().solidFraction().primitiveField()*testMesh().V()
+        );
+        return vector(gSum(V*testMesh().C().primitiveField())/gSum(V));
+    };
+    const vector before(centre());
+    t.immerse(true);
+    CHECK(mag(centre() - before - way) < 0.01*mag(way));
+
+    // In a mesh that slides with it, it stays
+    t.cloud().slideMesh(2/dt*way);
+    t.immerse(true);
+    CHECK(mag(centre() - before) < 1e-6*mag(way));
+}
+
+
 TEST_CASE("boundary: two clumps in a cell share it", "[boundary]")
 {
     // The second one overlaps the first by half a radius

@@ -15,6 +15,7 @@ void Foam::deformableCloud::evolve
 {
     if (!coupled())
     {
+        lookAhead();
         updateGhosts();
     }
     gatherForces(U, p, nu);
@@ -29,8 +30,19 @@ void Foam::deformableCloud::accept()
     for (clumpParcel& parcel : *this)
     {
         parcel.accept();
+        parcel.step().ahead = Zero;
     }
     contacting_.forget();
+}
+
+
+void Foam::deformableCloud::lookAhead()
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    for (clumpParcel& p : *this)
+    {
+        p.step().ahead = 0.5*dt*velocityOverMesh(p);
+    }
 }
 
 
@@ -55,6 +67,7 @@ void Foam::deformableCloud::moveParcels()
     removeLeaving();
     for (clumpParcel& p : *this)
     {
+        p.slideBack(mesh_.time().deltaTValue()*meshVelocity_);
         p.recentre(type(p));
     }
     clumpParcel::trackingData td(*this);
@@ -124,7 +137,7 @@ void Foam::deformableCloud::setOwnImages()
     label index = 0;
     for (const clumpParcel& p : *this)
     {
-        images[index].set(p, type(p), p.state(), index);
+        images[index].set(p, type(p), p.state(), index, p.step().ahead);
         ++index;
     }
 }

@@ -18,6 +18,10 @@ void Foam::deformableCloud::immerse
         p.step().change = mesh_.time().deltaT0Value()*p.state().a;
         p.step().imposedChange = p.step().change;
     }
+    if (moving)
+    {
+        lookAhead();
+    }
     updateGhosts();
 
     const timeBreakdown::timer t(timing_, "solid fraction");
@@ -98,7 +102,7 @@ void Foam::deformableCloud::predict
 
 void Foam::deformableCloud::imposeEnd()
 {
-    // The clumps stay where the step began, with the velocities of its end
+    // The clumps stay where they were immersed, with the velocities of the step's end
     label index = 0;
     for (clumpParcel& p : *this)
     {
@@ -209,6 +213,21 @@ bool Foam::deformableCloud::someFixed() const
         result = result || type(p).fixed();
     }
     return returnReduce(result, orOp<bool>());
+}
+
+
+Foam::vector Foam::deformableCloud::meanVelocity() const
+{
+    vector momentum(Zero);
+    scalar mass = 0;
+    for (const clumpParcel& p : *this)
+    {
+        momentum += type(p).mass()*p.state().velocity(type(p));
+        mass += type(p).mass();
+    }
+    reduce(momentum, sumOp<vector>());
+    reduce(mass, sumOp<scalar>());
+    return momentum/max(mass, VSMALL);
 }
 
 

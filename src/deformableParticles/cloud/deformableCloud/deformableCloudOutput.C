@@ -56,7 +56,8 @@ Foam::scalar Foam::deformableCloud::maxSpeedOverRadius() const
     scalar result = 0;
     for (const clumpParcel& p : *this)
     {
-        result = max(result, max(mag(p.state().u)/type(p).radii()));
+        const vectorField u(p.state().u - meshVelocity_);
+        result = max(result, max(mag(u)/type(p).radii()));
     }
     return returnReduce(result, maxOp<scalar>());
 }
@@ -93,7 +94,7 @@ Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii) const
             externalForces ext(ct.size());
             if (l.clumpType() == ct.name())
             {
-                l.add(mesh_.time().value(), p.centres(), ext);
+                l.add(mesh_.time().value(), p.unwrappedCentres(), ext);
             }
             if (max(mag(ext.k)) == 0)
             {

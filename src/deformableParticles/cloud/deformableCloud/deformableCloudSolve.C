@@ -136,7 +136,7 @@ void Foam::deformableCloud::addLoads(const scalar t)
         {
             if (l.clumpType() == type(p).name())
             {
-                l.add(t, p.centres(), p.step().forces);
+                l.add(t, p.unwrappedCentres(), p.step().forces);
             }
         }
     }

@@ -17,9 +17,9 @@ Foam::sceneEffects::sceneEffects(const dictionary& clumpProperties)
 {
     const char* const names[] =
     {
-        "fluid", "feedback", "convection", "refinement", "gravity", "rotation",
-        "loads", "damping", "conservation", "contact", "walls", "lubrication",
-        "aggregation"
+        "fluid", "feedback", "convection", "sliding", "refinement", "gravity",
+        "rotation", "loads", "damping", "conservation", "contact", "walls",
+        "lubrication", "aggregation"
     };
     for (const char* name : names)
     {

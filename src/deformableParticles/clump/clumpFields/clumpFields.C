@@ -246,6 +246,7 @@ void Foam::clumpFields::read
     );
     const scalarField factors(readValues<scalar>(c, "couplingFactor"));
     const labelField overshoots(readValues<label>(c, "couplingOvershoots"));
+    const vectorField offsets(readValues<vector>(c, "offset"));
     i = 0;
     for (clumpParcel& p : c)
     {
@@ -263,7 +264,12 @@ void Foam::clumpFields::read
         p.state_.broken.setSize(types[p.typeId_].pairs().size(), 0);
         p.couplingFactor_ = factors[i];
         p.overshoots_ = overshoots[i];
+        p.offset_ = offsets[i];
         ++i;
+        if (!physical(p.offset_))
+        {
+            refuse(c, "offset", p, "has a value outside the physical range");
+        }
         if (!(physical(p.couplingFactor_) && p.couplingFactor_ >= 1))
         {
             refuse(c, "couplingFactor", p, "has a factor that is not 1 or above");
@@ -356,6 +362,7 @@ void Foam::clumpFields::write
         fieldObject(c, "typeId", IOobject::NO_READ), c.size()
     );
     IOField<vector> U(fieldObject(c, "U", IOobject::NO_READ), c.size());
+    IOField<vector> offsets(fieldObject(c, "offset", IOobject::NO_READ), c.size());
     IOField<scalar> factors
     (
         fieldObject(c, "couplingFactor", IOobject::NO_READ), c.size()
@@ -370,12 +377,14 @@ void Foam::clumpFields::write
     {
         typeIds[i] = p.typeId_;
         U[i] = p.state_.velocity(types[p.typeId_]);
+        offsets[i] = p.offset_;
         factors[i] = p.couplingFactor_;
         overshoots[i] = p.overshoots_;
         ++i;
     }
     writeFile(typeIds, valid);
     writeFile(U, valid);
+    writeFile(offsets, valid);
     writeFile(factors, valid);
     writeFile(overshoots, valid);
 

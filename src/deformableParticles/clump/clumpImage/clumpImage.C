@@ -10,7 +10,8 @@ void Foam::clumpImage::set
     const clumpParcel& p,
     const clumpType& type,
     const clumpState& s,
-    const label parcelIndex
+    const label parcelIndex,
+    const vector& ahead
 )
 {
     owner = Pstream::myProcNo();
@@ -30,7 +31,7 @@ void Foam::clumpImage::set
     box = boundBox::invertedBox;
     forAll(x, i)
     {
-        x[i] = s.x[i] + centre;
+        x[i] = s.x[i] + centre + ahead;
         box.add(x[i] - type.radii()[i]*vector::one);
         box.add(x[i] + type.radii()[i]*vector::one);
     }

@@ -41,7 +41,8 @@ Foam::clumpParcel::clumpParcel
     couplingFactor_(1),
     overshoots_(0),
     displacement_(Zero),
-    target_(position)
+    target_(position),
+    offset_(Zero)
 {
     state_.x += position - this->position();
 }
@@ -84,11 +85,12 @@ Foam::clumpParcel::clumpParcel
     couplingFactor_(1),
     overshoots_(0),
     displacement_(Zero),
-    target_(Zero)
+    target_(Zero),
+    offset_(Zero)
 {
     if (readFields)
     {
-        is  >> typeId_ >> displacement_ >> target_ >> state_
+        is  >> typeId_ >> displacement_ >> target_ >> offset_ >> state_
             >> fluidForces_ >> fluidTorques_ >> couplingFactor_ >> overshoots_;
     }
     is.check(FUNCTION_NAME);
@@ -101,6 +103,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
         << token::SPACE << p.typeId_
         << token::SPACE << p.displacement_
         << token::SPACE << p.target_
+        << token::SPACE << p.offset_
         << token::SPACE << p.state_
         << token::SPACE << p.fluidForces_
         << token::SPACE << p.fluidTorques_

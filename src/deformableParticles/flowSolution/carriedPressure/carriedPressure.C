@@ -22,16 +22,7 @@ Foam::carriedPressure::carriedPressure
 :
     p_(p),
     refCell_(refCell),
-    orthogonal_(false),
-    change_
-    (
-        IOobject
-        (
-            "carriedPressureChange", p.time().timeName(), p.mesh(),
-            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
-        ),
-        zero("dp", p.dimensions(), "fixedValue")
-    )
+    orthogonal_(false)
 {}
 
 
@@ -95,7 +86,7 @@ void Foam::carriedPressure::findLevels()
 }
 
 
-void Foam::carriedPressure::carry
+void Foam::carriedPressure::carrySources
 (
     const volVectorField& d,
     volScalarField& q
@@ -130,7 +121,7 @@ void Foam::carriedPressure::carry
 }
 
 
-void Foam::carriedPressure::predict
+void Foam::carriedPressure::carry
 (
     const volVectorField& d,
     const dictionary& solver
@@ -147,31 +138,21 @@ void Foam::carriedPressure::predict
     q.correctBoundaryConditions();
 
     const volScalarField before("qBefore", q);
-    carry(d, q);
+    carrySources(d, q);
 
-    reset();
+    tmp<volScalarField> tchange(zero("dp", p_.dimensions(), "fixedValue"));
+    volScalarField& change = tchange.ref();
     // The second solution has the non-orthogonal part of the gradient
     const label nSolutions = orthogonal_ ? 1 : 2;
     for (label i = 0; i < nSolutions; ++i)
     {
-        fvScalarMatrix equation(fvm::laplacian(change_) == q - before);
+        fvScalarMatrix equation(fvm::laplacian(change) == q - before);
         if (p_.needReference())
         {
             equation.setReference(refCell_, 0);
         }
         equation.solve(solver);
     }
-}
-
-
-void Foam::carriedPressure::beginStep()
-{
-    p_.primitiveFieldRef() += change_.primitiveField();
+    p_.primitiveFieldRef() += change.primitiveField();
     p_.correctBoundaryConditions();
-}
-
-
-void Foam::carriedPressure::reset()
-{
-    change_ == dimensionedScalar(p_.dimensions(), Zero);
 }

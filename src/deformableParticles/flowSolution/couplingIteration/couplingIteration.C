@@ -177,6 +177,20 @@ bool Foam::couplingIteration::loop()
 }
 
 
+void Foam::couplingIteration::beginStep()
+{
+    flow_.beginStep();
+
+    // There is no pattern to be carried before the first step
+    const bool started = flow_.p().time().timeIndex() > 1;
+    if (clumpsFollow_ && flow_.carriesPressure() && started)
+    {
+        const timeBreakdown::timer t(cloud_.timing(), "flow");
+        flow_.carryPressure(cloud_.displacement());
+    }
+}
+
+
 void Foam::couplingIteration::endStep()
 {
     if (measures_)
@@ -186,11 +200,6 @@ void Foam::couplingIteration::endStep()
         Info<< "Outer correctors: " << nCorrectors_ << ", residual "
             << residual(x, r) << endl;
         acceleration_->clear();
-    }
-    if (clumpsFollow_ && flow_.carriesPressure())
-    {
-        const timeBreakdown::timer t(cloud_.timing(), "flow");
-        flow_.carryPressure(cloud_.displacement());
     }
     nCorrectors_ = 0;
 }

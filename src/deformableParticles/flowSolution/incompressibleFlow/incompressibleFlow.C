@@ -275,17 +275,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
 
 void Foam::incompressibleFlow::carryPressure(const volVectorField& d)
 {
-    carried_->predict(d, p_->mesh().solverDict(p_->select(false)));
-}
-
-
-void Foam::incompressibleFlow::beginStep()
-{
-    extrapolation_->beginStep();
-    if (carried_.valid())
-    {
-        carried_->beginStep();
-    }
+    carried_->carry(d, p_->mesh().solverDict(p_->select(false)));
 }
 
 
@@ -331,8 +321,4 @@ void Foam::incompressibleFlow::reset()
     *p_ = dimensionedScalar(p_->dimensions(), Zero);
     *phi_ = fvc::flux(*U_);
     phi_->oldTime() == *phi_;
-    if (carried_.valid())
-    {
-        carried_->reset();
-    }
 }

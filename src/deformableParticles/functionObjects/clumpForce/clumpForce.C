@@ -55,6 +55,6 @@ Foam::string Foam::functionObjects::clumpForce::row
 
     const vector force(sum(p.fluidForces()));
     return
-        columns({force, torque, p.centre(type), p.state().velocity(type)})
+        columns({force, torque, p.unwrappedCentre(type), p.state().velocity(type)})
       + columns({force & flow(), force & gradient()});
 }

@@ -357,7 +357,8 @@ void Foam::watchdog::check()
         }
         const clumpState& s = p.state();
         const scalar displacement =
-            runTime_.deltaTValue()*max(mag(s.u)/type.radii());
+            runTime_.deltaTValue()
+           *max(mag(s.u - cloud_.meshVelocity())/type.radii());
         const scalar size =
             (extent(s.x) + max(type.radii()))
            /(extent(type.centres()) + max(type.radii()));

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "oneWayDrag.H"
-#include "volFields.H"
+#include "fvcGrad.H"
 #include "mathematicalConstants.H"
 
 Foam::scalarField Foam::oneWayDrag::resistance
@@ -29,10 +29,12 @@ void Foam::oneWayDrag::integrate
     UList<clumpImage>& images
 )
 {
-    if (!steady || !velocity_.valid())
+    if (!steady || !gradient_.valid())
     {
-        velocity_.reset(new interpolationCellPoint<vector>(U));
+        gradient_.reset(fvc::grad(U).ptr());
     }
+    const volTensorField& gradient = *gradient_;
+    const volVectorField& C = U.mesh().C();
 
     for (clumpImage& image : images)
     {
@@ -45,8 +47,11 @@ void Foam::oneWayDrag::integrate
             const label celli = U.mesh().findCell(x);
             if (celli >= 0)
             {
-                image.fluid.f[i] =
-                    zeta[i]*(velocity_->interpolate(x, celli) - image.u[i]);
+                const vector u
+                (
+                    U[celli] + ((x - C[celli]) & gradient[celli])
+                );
+                image.fluid.f[i] = zeta[i]*(u - image.u[i]);
             }
         }
     }

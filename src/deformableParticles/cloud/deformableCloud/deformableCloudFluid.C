@@ -216,6 +216,17 @@ bool Foam::deformableCloud::someFixed() const
 }
 
 
+bool Foam::deformableCloud::someHeld() const
+{
+    bool tethered = false;
+    for (const load& l : loads_)
+    {
+        tethered = tethered || l.holds();
+    }
+    return tethered || someFixed();
+}
+
+
 Foam::vector Foam::deformableCloud::meanVelocity() const
 {
     vector momentum(Zero);

@@ -15,11 +15,11 @@ Foam::convectionCriterion::convectionCriterion
     effects_(cloud.effects()),
     timing_(cloud.timing()),
     neverConvects_(neverConvects),
-    diameter_(0)
+    size_(Foam::cbrt(gSum(refCast<const fvMesh>(cloud.pMesh()).V())))
 {
     for (const clumpType& type : cloud.types())
     {
-        diameter_ = max(diameter_, 2*type.reach());
+        size_ = max(size_, 2*type.reach());
     }
 }
 
@@ -38,7 +38,7 @@ void Foam::convectionCriterion::decide
     else if (effects_.automatic("convection"))
     {
         const scalar Re =
-            gMax(mag(U.primitiveField()))*diameter_/gMin(nu.primitiveField());
+            gMax(mag(U.primitiveField()))*size_/gMin(nu.primitiveField());
         const bool convects = Re > 0.05;
 
         OStringStream reason;

@@ -178,7 +178,7 @@ Foam::string Foam::slidingMesh::obstacle()
     {
         return "clumps may enter or leave";
     }
-    if (cloud_.someFixed())
+    if (cloud_.someHeld())
     {
         return "a clump is held";
     }
@@ -213,12 +213,17 @@ void Foam::slidingMesh::beginStep()
 {
     if (cloud_.effects().active("sliding"))
     {
-        const scalar dx = Foam::cbrt(gMin(flow_.p().mesh().V()));
-        const scalar dt = flow_.p().time().deltaTValue();
+        const volVectorField& U = flow_.U();
+        const scalarField& cells = U.mesh().V();
+        const scalar dx = Foam::cbrt(gMin(cells));
+        const scalar dt = U.time().deltaTValue();
+        const vector fluid(gSum(cells*U.primitiveField())/gSum(cells));
+        const vector u(along_ & cloud_.meanVelocity());
+        const vector q((along_ & fluid) - u);
+
+        const vector V(u + 0.05*min(scalar(1), dx/dt/max(mag(q), VSMALL))*q);
         const scalar most =
             5*max(dx/dt, gMin(flow_.nu().primitiveField())/dx);
-        const vector V(along_ & cloud_.meanVelocity());
-
         cloud_.slideMesh(min(scalar(1), most/max(mag(V), VSMALL))*V);
         Info<< "Velocity of the mesh: " << cloud_.meshVelocity() << endl;
     }

@@ -1,0 +1,83 @@
+"""Drift of a sphere across ducts and tubes, and the places where it stays."""
+
+import numpy as np
+from results import Results, plt, read, save
+
+H = 50e-6               # of Allrun
+rows = read("data.csv")
+results = Results()
+
+
+def path(r):
+    """Time, place along the flow and distance from the middle, in H/U and H."""
+    t, x, y = (np.array([p[k] for p in read(r["file"])]) for k in ("t_s", "x_m", "y_m"))
+    middle = 0.5 if r["shape"] == "duct" else 0
+    return t*r["U_m_s"]/H, x/H, y/H - middle
+
+
+def drift(r):
+    """Away from the middle, over the largest velocity of the flow, in the second half of a run."""
+    t, _, y = path(r)
+    half = np.searchsorted(t, 0.5*t[-1])
+    return (y[-1] - y[half])/(t[-1] - t[half])
+
+
+def select(**values):
+    return [r for r in rows if all(r[k] == v for k, v in values.items())]
+
+
+short = [r for r in rows if r["end"] < 10 and r["Re"] > 1]
+base = next(r for r in short if r["shape"] == "duct" and (r["size"], r["Re"]) == (0.22, 50)
+            and (r["Courant"], r["frame"], r["cells"]) == (1, 0, 24) and r["sliding"] == "auto")
+reference = drift(base)
+fine = [r for r in short if r["cells"] == 36 and r["sliding"] == "auto"]
+for r in short:
+    value = drift(r)
+    name = (f"drift, {r['size']:g} H, Re {r['Re']:g}, walls at {r['frame']:g} U, Courant "
+            f"{r['Courant']:g}, {r['size']*r['cells']:.1f} cells"
+            + ("" if r["sliding"] == "auto" else ", mesh at rest"))
+    print(f"{name}: {value:.5f} U")
+    if r is base or (r["size"], r["Re"]) != (0.22, 50):
+        results.report(name, value, "U", "")
+    elif r["cells"] == 24 and r["sliding"] == "auto":
+        results.add(name, value, "U", reference, "5%", "walls at rest, Courant number 1")
+    elif r["cells"] == 24:
+        results.report(name, value, "U", "")
+    elif r["sliding"] == "off":
+        results.add(name, value, "U", drift(fine[0]), "10%", "the mesh that slides")
+    else:
+        results.report(name, value, "U", "")
+for r in select(Re=0.02):
+    results.add(f"drift, Re {r['Re']:g}, convection {r['convection']}", drift(r), "U", 0, "2e-5",
+                "creeping flow is reversible")
+for r in [r for r in rows if r["end"] > 10]:
+    t, x, y = path(r)
+    late = y[t > 0.9*t[-1]]
+    what = f"{r['shape']}, {r['size']:g} H, Re {r['Re']:g}, from {r['from']:g} H"
+    print(f"{what}: stays at {late.mean():.4f} H, moves by {late[-1] - late[0]:.1e} H at the end")
+    if r["shape"] == "duct":
+        results.add(f"place, {what}", 2*late.mean(), "H/2", 0.55, "0.05",
+                    "Di Carlo 2009, Chun and Ladd 2006: faces, 0.5 to 0.6")
+    else:
+        results.add(f"place, {what}", 2*late.mean(), "R", 0.65, "0.05",
+                    "Segre and Silberberg 1962: 0.6 to 0.7")
+
+figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4))
+for sliding, style in ("auto", "o-"), ("off", "s--"):
+    points = sorted((r["Courant"], drift(r)) for r in short if r["sliding"] == sliding
+                    and (r["cells"], r["size"], r["Re"], r["frame"]) == (24, 0.22, 50, 0))
+    if points:
+        left.plot(*zip(*points), style,
+                  label="mesh slides" if sliding == "auto" else "mesh at rest")
+left.set_xlabel("Courant number")
+left.set_ylabel("drift / largest velocity")
+left.set_ylim(0)
+left.legend()
+for r in [r for r in rows if r["end"] > 10]:
+    t, x, y = path(r)
+    right.plot(t, y, label=f"{r['shape']}, {r['size']:g}")
+right.set_xlabel("time U/H")
+right.set_ylabel("distance from the middle / H")
+right.legend()
+save(figure, "inertialMigration.png")
+results.write()

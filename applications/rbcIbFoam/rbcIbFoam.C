@@ -82,10 +82,10 @@ int main(int argc, char* argv[])
     if (flow.solved())
     {
         convection.decide(U, nu);
-        if (cloud.startWithFlow(U, nu))
-        {
-            phi = fvc::flux(U);
-        }
+    }
+    if (cloud.hasFluid() && cloud.startWithFlow(U, nu))
+    {
+        phi = fvc::flux(U);
     }
     monitor.start();
 

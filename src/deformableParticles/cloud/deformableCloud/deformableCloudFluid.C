@@ -154,19 +154,17 @@ bool Foam::deformableCloud::startWithFlow
     const volScalarField& nu
 )
 {
-    if (!coupled())
+    if (coupled())
     {
-        return false;
+        openPatches_.warnOfClosed(U);
     }
-    openPatches_.warnOfClosed(U);
     if (!returnReduce(starts_, orOp<bool>()))
     {
         return false;
     }
     starts_ = false;
     updateGhosts();
-    coupling_->boundary().update(ghosts_.images(), nu);
-    coupling_->boundary().sampleVelocity(U, ghosts_.images());
+    coupling_->sampleVelocity(U, nu, ghosts_.images());
     ghosts_.returnForces();
 
     bool some = false;
@@ -183,7 +181,7 @@ bool Foam::deformableCloud::startWithFlow
     followFlow_.clear();
 
     // What starts with a velocity of its own starts with the fluid inside it
-    if (!returnReduce(some, orOp<bool>()))
+    if (!coupled() || !returnReduce(some, orOp<bool>()))
     {
         return false;
     }

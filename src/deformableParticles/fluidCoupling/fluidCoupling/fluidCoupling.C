@@ -129,6 +129,25 @@ void Foam::fluidCoupling::integrate
 }
 
 
+void Foam::fluidCoupling::sampleVelocity
+(
+    const volVectorField& U,
+    const volScalarField& nu,
+    UList<clumpImage>& images
+)
+{
+    if (twoWay())
+    {
+        boundary_->update(images, nu);
+        boundary_->sampleVelocity(U, images);
+    }
+    else
+    {
+        drag_->sampleVelocity(U, images);
+    }
+}
+
+
 void Foam::fluidCoupling::takeForces(clumpParcel& p, clumpImage& image) const
 {
     image.fluid.constrain(image.tension);

@@ -21,6 +21,56 @@ Foam::scalarField Foam::oneWayDrag::resistance
 }
 
 
+template<class Action>
+void Foam::oneWayDrag::visit
+(
+    const volVectorField& U,
+    UList<clumpImage>& images,
+    const Action& action
+) const
+{
+    const volVectorField& C = U.mesh().C();
+    const volTensorField& gradient = *gradient_;
+
+    for (clumpImage& image : images)
+    {
+        image.fluid.reset(image.x.size());
+        forAll(image.x, i)
+        {
+            const point& x = image.x[i];
+            const label celli = U.mesh().findCell(x);
+            if (celli >= 0)
+            {
+                action
+                (
+                    image, i,
+                    U[celli] + ((x - C[celli]) & gradient[celli])
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::oneWayDrag::sampleVelocity
+(
+    const volVectorField& U,
+    UList<clumpImage>& images
+)
+{
+    gradient_.reset(fvc::grad(U).ptr());
+    visit
+    (
+        U, images,
+        [](clumpImage& image, const label i, const vector& u)
+        {
+            image.fluid.f[i] = u;
+            image.fluid.t[i] = vector::one;
+        }
+    );
+}
+
+
 void Foam::oneWayDrag::integrate
 (
     const volVectorField& U,
@@ -33,26 +83,13 @@ void Foam::oneWayDrag::integrate
     {
         gradient_.reset(fvc::grad(U).ptr());
     }
-    const volTensorField& gradient = *gradient_;
-    const volVectorField& C = U.mesh().C();
-
-    for (clumpImage& image : images)
-    {
-        const scalarField zeta(resistance(types_[image.typeId], mu));
-        image.fluid.reset(image.x.size());
-
-        forAll(image.x, i)
+    visit
+    (
+        U, images,
+        [&](clumpImage& image, const label i, const vector& u)
         {
-            const point& x = image.x[i];
-            const label celli = U.mesh().findCell(x);
-            if (celli >= 0)
-            {
-                const vector u
-                (
-                    U[celli] + ((x - C[celli]) & gradient[celli])
-                );
-                image.fluid.f[i] = zeta[i]*(u - image.u[i]);
-            }
+            image.fluid.f[i] =
+                resistance(types_[image.typeId], mu)[i]*(u - image.u[i]);
         }
-    }
+    );
 }

@@ -29,8 +29,10 @@ void Foam::deformableCloud::accept()
 {
     for (clumpParcel& parcel : *this)
     {
-        parcel.accept();
-        parcel.step().ahead = Zero;
+        parcel.accept
+        (
+            type(parcel), mesh_.time().deltaTValue()*meshVelocity_
+        );
     }
     contacting_.forget();
 }

@@ -9,18 +9,15 @@
 
 Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
 {
-    // From the middle of the last step to the middle of this one
-    const scalar before = 0.5*mesh_.time().deltaT0Value();
-    const scalar after = 0.5*mesh_.time().deltaTValue();
+    const scalar half = 0.5*mesh_.time().deltaTValue();
     pointField from(size());
     vectorField by(size());
     scalar reach = 0;
     label index = 0;
     for (const clumpParcel& p : *this)
     {
-        const vector u(velocityOverMesh(p));
-        from[index] = p.centre(type(p)) - before*u;
-        by[index] = (before + after)*u;
+        from[index] = p.centre(type(p)) - p.sinceMet();
+        by[index] = p.sinceMet() + half*velocityOverMesh(p);
         ++index;
     }
     for (const clumpType& ct : types_)

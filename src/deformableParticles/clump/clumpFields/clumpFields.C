@@ -247,6 +247,7 @@ void Foam::clumpFields::read
     const scalarField factors(readValues<scalar>(c, "couplingFactor"));
     const labelField overshoots(readValues<label>(c, "couplingOvershoots"));
     const vectorField offsets(readValues<vector>(c, "offset"));
+    const vectorField sinceMet(readValues<vector>(c, "sinceMet"));
     i = 0;
     for (clumpParcel& p : c)
     {
@@ -265,10 +266,15 @@ void Foam::clumpFields::read
         p.couplingFactor_ = factors[i];
         p.overshoots_ = overshoots[i];
         p.offset_ = offsets[i];
+        p.sinceMet_ = sinceMet[i];
         ++i;
         if (!physical(p.offset_))
         {
             refuse(c, "offset", p, "has a value outside the physical range");
+        }
+        if (!physical(p.sinceMet_))
+        {
+            refuse(c, "sinceMet", p, "has a value outside the physical range");
         }
         if (!(physical(p.couplingFactor_) && p.couplingFactor_ >= 1))
         {
@@ -363,6 +369,10 @@ void Foam::clumpFields::write
     );
     IOField<vector> U(fieldObject(c, "U", IOobject::NO_READ), c.size());
     IOField<vector> offsets(fieldObject(c, "offset", IOobject::NO_READ), c.size());
+    IOField<vector> sinceMet
+    (
+        fieldObject(c, "sinceMet", IOobject::NO_READ), c.size()
+    );
     IOField<scalar> factors
     (
         fieldObject(c, "couplingFactor", IOobject::NO_READ), c.size()
@@ -378,6 +388,7 @@ void Foam::clumpFields::write
         typeIds[i] = p.typeId_;
         U[i] = p.state_.velocity(types[p.typeId_]);
         offsets[i] = p.offset_;
+        sinceMet[i] = p.sinceMet_;
         factors[i] = p.couplingFactor_;
         overshoots[i] = p.overshoots_;
         ++i;
@@ -385,6 +396,7 @@ void Foam::clumpFields::write
     writeFile(typeIds, valid);
     writeFile(U, valid);
     writeFile(offsets, valid);
+    writeFile(sinceMet, valid);
     writeFile(factors, valid);
     writeFile(overshoots, valid);
 

@@ -42,7 +42,8 @@ Foam::clumpParcel::clumpParcel
     overshoots_(0),
     displacement_(Zero),
     target_(position),
-    offset_(Zero)
+    offset_(Zero),
+    sinceMet_(Zero)
 {
     state_.x += position - this->position();
 }
@@ -61,6 +62,14 @@ void Foam::clumpParcel::autoMap
     }
     relocate(inside(mesh(), position, celli), celli);
     state_.x += position - this->position();
+}
+
+
+void Foam::clumpParcel::accept(const clumpType& type, const vector& s)
+{
+    sinceMet_ = step_.end.centre(type) - state_.centre(type) - s - step_.ahead;
+    state_ = step_.end;
+    step_.ahead = Zero;
 }
 
 
@@ -86,11 +95,13 @@ Foam::clumpParcel::clumpParcel
     overshoots_(0),
     displacement_(Zero),
     target_(Zero),
-    offset_(Zero)
+    offset_(Zero),
+    sinceMet_(Zero)
 {
     if (readFields)
     {
-        is  >> typeId_ >> displacement_ >> target_ >> offset_ >> state_
+        is  >> typeId_ >> displacement_ >> target_ >> offset_ >> sinceMet_
+            >> state_
             >> fluidForces_ >> fluidTorques_ >> couplingFactor_ >> overshoots_;
     }
     is.check(FUNCTION_NAME);
@@ -104,6 +115,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
         << token::SPACE << p.displacement_
         << token::SPACE << p.target_
         << token::SPACE << p.offset_
+        << token::SPACE << p.sinceMet_
         << token::SPACE << p.state_
         << token::SPACE << p.fluidForces_
         << token::SPACE << p.fluidTorques_

@@ -100,13 +100,19 @@ void Foam::accuracyLevel::print
     const label n = dict_.get<label>("spheresPerClump");
     const scalar cells = dict_.get<scalar>("cellsPerDiameter");
 
-    printMeasured(os);
-    os  << "    The case has " << spheres << " spheres per clump (recommended: "
-        << n << ") and " << cellsPerDiameter
-        << " mesh cells per sphere diameter (recommended: " << cells << ')'
-        << nl;
+    // A single sphere is no coarse picture of something else
+    const bool single = spheres == 1;
 
-    if (spheres < n)
+    printMeasured(os);
+    os  << "    The case has ";
+    if (!single)
+    {
+        os  << spheres << " spheres per clump (recommended: " << n << ") and ";
+    }
+    os  << cellsPerDiameter << " mesh cells per sphere diameter (recommended: "
+        << cells << ')' << nl;
+
+    if (!single && spheres < n)
     {
         WarningInFunction
             << "The clumps are coarser than accuracy level " << name_

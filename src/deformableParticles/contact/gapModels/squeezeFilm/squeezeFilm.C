@@ -19,7 +19,7 @@ namespace gapModels
 Foam::gapModels::squeezeFilm::squeezeFilm(const dictionary& dict)
 :
     cutOff_(getPositiveOrDefault(dict, "cutOff", 0.6)),
-    roughness_(getPositive(dict, "roughness"))
+    roughness_(getPositiveOrDefault(dict, "roughness", 2e-8))
 {
     checkEntries(dict, {"type", "cutOff", "roughness"});
 }

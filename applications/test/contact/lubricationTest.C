@@ -271,7 +271,6 @@ TEST_CASE("lubrication: what it needs", "[lubrication]")
             1e-5, pair, "integrator { type velocityVerlet; stepFraction 0.1; }"
         )
     );
-    CHECK_THROWS(wetCloud(1e-5, pair, "", "cutOff 0.8;"));
     CHECK_THROWS(wetCloud(1e-5, pair, "", "cutOff 0.8; roughness 0;"));
     CHECK_THROWS(wetCloud(1e-5, pair, "", "cutoff 0.8; roughness 1e-8;"));
     CHECK_THROWS(wetCloud(1e-5, pair, "lubrication { type film; }"));

@@ -86,10 +86,13 @@ void Foam::oneWayDrag::integrate
     visit
     (
         U, images,
-        [&](clumpImage& image, const label i, const vector& u)
+        [](clumpImage& image, const label i, const vector& u)
         {
-            image.fluid.f[i] =
-                resistance(types_[image.typeId], mu)[i]*(u - image.u[i]);
+            image.fluid.f[i] = u - image.u[i];
         }
     );
+    for (clumpImage& image : images)
+    {
+        image.fluid.f *= resistance(types_[image.typeId], mu);
+    }
 }

@@ -119,7 +119,10 @@ int main(int argc, char* argv[])
 
             if (cloud.coupled())
             {
-                cloud.immerse(nu, !resistance.wanted());
+                cloud.immerse
+                (
+                    nu, !resistance.wanted(), piso.nCorrPIMPLE() > 1
+                );
             }
 
             // --- Pressure-velocity coupling

@@ -9,7 +9,8 @@
 void Foam::deformableCloud::immerse
 (
     const volScalarField& nu,
-    const bool moving
+    const bool moving,
+    const bool corrected
 )
 {
     for (clumpParcel& p : *this)
@@ -29,19 +30,19 @@ void Foam::deformableCloud::immerse
     ghosts_.returnTensions();
     if (moving)
     {
-        turnVelocities();
+        turnVelocities(corrected);
     }
     impose();
 }
 
 
-void Foam::deformableCloud::turnVelocities()
+void Foam::deformableCloud::turnVelocities(const bool extrapolate)
 {
     label index = 0;
     for (clumpParcel& p : *this)
     {
         clumpImage& image = ghosts_.images()[index++];
-        if (coupling_->turn(p, mesh_.time().deltaTValue()))
+        if (coupling_->turn(p, mesh_.time().deltaTValue(), extrapolate))
         {
             setVelocities(p, image);
         }

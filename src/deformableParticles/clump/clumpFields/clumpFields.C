@@ -163,6 +163,14 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 }
 
 
+const Foam::clumpFields::vectorFile Foam::clumpFields::vectorFiles_[3] =
+{
+    {"offset", &clumpParcel::offset_},
+    {"sinceMet", &clumpParcel::sinceMet_},
+    {"acceleration", &clumpParcel::acceleration_}
+};
+
+
 void Foam::clumpFields::checkNumbers(const Cloud<clumpParcel>& c)
 {
     List<labelPairList> ids(Pstream::nProcs());
@@ -246,8 +254,6 @@ void Foam::clumpFields::read
     );
     const scalarField factors(readValues<scalar>(c, "couplingFactor"));
     const labelField overshoots(readValues<label>(c, "couplingOvershoots"));
-    const vectorField offsets(readValues<vector>(c, "offset"));
-    const vectorField sinceMet(readValues<vector>(c, "sinceMet"));
     i = 0;
     for (clumpParcel& p : c)
     {
@@ -265,23 +271,27 @@ void Foam::clumpFields::read
         p.state_.broken.setSize(types[p.typeId_].pairs().size(), 0);
         p.couplingFactor_ = factors[i];
         p.overshoots_ = overshoots[i];
-        p.offset_ = offsets[i];
-        p.sinceMet_ = sinceMet[i];
         ++i;
-        if (!physical(p.offset_))
-        {
-            refuse(c, "offset", p, "has a value outside the physical range");
-        }
-        if (!physical(p.sinceMet_))
-        {
-            refuse(c, "sinceMet", p, "has a value outside the physical range");
-        }
         if (!(physical(p.couplingFactor_) && p.couplingFactor_ >= 1))
         {
             refuse(c, "couplingFactor", p, "has a factor that is not 1 or above");
         }
         p.fluidForces_ = vectorField(p.state_.x.size(), Zero);
         p.fluidTorques_ = p.fluidForces_;
+    }
+
+    for (const vectorFile& file : vectorFiles_)
+    {
+        const vectorField values(readValues<vector>(c, file.name));
+        i = 0;
+        for (clumpParcel& p : c)
+        {
+            p.*(file.member) = values[i++];
+            if (!physical(p.*(file.member)))
+            {
+                refuse(c, file.name, p, "has a value outside the physical range");
+            }
+        }
     }
 
     readLists<vector>
@@ -368,11 +378,6 @@ void Foam::clumpFields::write
         fieldObject(c, "typeId", IOobject::NO_READ), c.size()
     );
     IOField<vector> U(fieldObject(c, "U", IOobject::NO_READ), c.size());
-    IOField<vector> offsets(fieldObject(c, "offset", IOobject::NO_READ), c.size());
-    IOField<vector> sinceMet
-    (
-        fieldObject(c, "sinceMet", IOobject::NO_READ), c.size()
-    );
     IOField<scalar> factors
     (
         fieldObject(c, "couplingFactor", IOobject::NO_READ), c.size()
@@ -387,18 +392,28 @@ void Foam::clumpFields::write
     {
         typeIds[i] = p.typeId_;
         U[i] = p.state_.velocity(types[p.typeId_]);
-        offsets[i] = p.offset_;
-        sinceMet[i] = p.sinceMet_;
         factors[i] = p.couplingFactor_;
         overshoots[i] = p.overshoots_;
         ++i;
     }
     writeFile(typeIds, valid);
     writeFile(U, valid);
-    writeFile(offsets, valid);
-    writeFile(sinceMet, valid);
     writeFile(factors, valid);
     writeFile(overshoots, valid);
+
+    for (const vectorFile& file : vectorFiles_)
+    {
+        IOField<vector> values
+        (
+            fieldObject(c, file.name, IOobject::NO_READ), c.size()
+        );
+        i = 0;
+        for (const clumpParcel& p : c)
+        {
+            values[i++] = p.*(file.member);
+        }
+        writeFile(values, valid);
+    }
 
     writeLists<vector>
     (

@@ -43,7 +43,8 @@ Foam::clumpParcel::clumpParcel
     displacement_(Zero),
     target_(position),
     offset_(Zero),
-    sinceMet_(Zero)
+    sinceMet_(Zero),
+    acceleration_(Zero)
 {
     state_.x += position - this->position();
 }
@@ -68,6 +69,9 @@ void Foam::clumpParcel::autoMap
 void Foam::clumpParcel::accept(const clumpType& type, const vector& s)
 {
     sinceMet_ = step_.end.centre(type) - state_.centre(type) - s - step_.ahead;
+    acceleration_ =
+        (step_.end.velocity(type) - state_.velocity(type))
+       /mesh().time().deltaTValue();
     state_ = step_.end;
     step_.ahead = Zero;
 }
@@ -96,12 +100,13 @@ Foam::clumpParcel::clumpParcel
     displacement_(Zero),
     target_(Zero),
     offset_(Zero),
-    sinceMet_(Zero)
+    sinceMet_(Zero),
+    acceleration_(Zero)
 {
     if (readFields)
     {
         is  >> typeId_ >> displacement_ >> target_ >> offset_ >> sinceMet_
-            >> state_
+            >> acceleration_ >> state_
             >> fluidForces_ >> fluidTorques_ >> couplingFactor_ >> overshoots_;
     }
     is.check(FUNCTION_NAME);
@@ -116,6 +121,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
         << token::SPACE << p.target_
         << token::SPACE << p.offset_
         << token::SPACE << p.sinceMet_
+        << token::SPACE << p.acceleration_
         << token::SPACE << p.state_
         << token::SPACE << p.fluidForces_
         << token::SPACE << p.fluidTorques_

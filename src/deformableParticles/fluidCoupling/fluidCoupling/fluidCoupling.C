@@ -266,7 +266,12 @@ void Foam::fluidCoupling::deflate
 }
 
 
-bool Foam::fluidCoupling::turn(clumpParcel& p, const scalar dt) const
+bool Foam::fluidCoupling::turn
+(
+    clumpParcel& p,
+    const scalar dt,
+    const bool extrapolate
+) const
 {
     if (!scheme_->turns())
     {
@@ -275,9 +280,13 @@ bool Foam::fluidCoupling::turn(clumpParcel& p, const scalar dt) const
     const clumpType& type = types_[p.typeId()];
     const clumpState& s = p.state();
     const vector velocity(s.velocity(type));
+    const vector next
+    (
+        extrapolate ? velocity + dt*p.acceleration() : velocity
+    );
     const tensor R(rotation(dt*s.angularVelocity(type)).R());
 
-    p.step().imposedU = velocity + (R & (s.u - velocity));
+    p.step().imposedU = next + (R & (s.u - velocity));
     p.step().imposedChange += p.step().imposedU - s.u;
     p.step().imposedW = R & s.w;
     return true;

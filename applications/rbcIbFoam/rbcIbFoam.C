@@ -95,8 +95,14 @@ int main(int argc, char* argv[])
 
         if (flow.solved())
         {
-            timeStep.measure(sliding.flux(), nu, piso);
             convection.decide(U, nu);
+            timeStep.measure
+            (
+                sliding.flux(), nu, piso,
+                cloud.coupled() && effects.active("convection")
+              ? cloud.maxSpeedOverMesh()
+              : 0
+            );
         }
         if (!resistance.wanted())
         {

@@ -51,6 +51,17 @@ Foam::scalar Foam::deformableCloud::maxSpeed() const
 }
 
 
+Foam::scalar Foam::deformableCloud::maxSpeedOverMesh() const
+{
+    scalar result = 0;
+    for (const clumpParcel& p : *this)
+    {
+        result = max(result, mag(velocityOverMesh(p)));
+    }
+    return returnReduce(result, maxOp<scalar>());
+}
+
+
 Foam::scalar Foam::deformableCloud::maxSpeedOverRadius() const
 {
     scalar result = 0;

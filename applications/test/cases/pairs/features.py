@@ -394,4 +394,6 @@ FOUND = [
     {"rotation": "perSphere", "bodies": "fibre"},
     {"contact": "lubricated", "bodies": "fibre", "conservation": "one"},
     {"outer": "1", "dilation": "no", "bodies": "ring"},
+    {"mesh": "refined", "boundaries": "periodic", "disturbance": "restart"},
+    {"mesh": "refined", "boundaries": "periodicWalls", "disturbance": "restart"},
 ]

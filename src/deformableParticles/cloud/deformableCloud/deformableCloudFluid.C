@@ -281,6 +281,8 @@ void Foam::deformableCloud::prepareMeshChange()
 
 void Foam::deformableCloud::meshChanged()
 {
+    ghosts_.meshChanged();
+    contacting_.meshChanged();
     coupling_->boundary().meshChanged();
     renewWalls();
     injector_->meshChanged();

@@ -36,7 +36,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
 :
     cellSetOption(sourceName, modelType, dict, mesh),
     Ubar_(Zero),
-    held_(Zero),
+    others_(false),
     gradient_(Zero),
     used_(Zero),
     mean_(Zero),
@@ -98,11 +98,17 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
 void Foam::fv::meanVelocityGradient::readMeanVelocity(const dictionary& dict)
 {
     Ubar_ = getFinite<vector>(coeffs_, "Ubar");
+    others_ = findOthers(dict);
+    heldDirections();
+}
 
+
+Foam::tensor Foam::fv::meanVelocityGradient::heldDirections() const
+{
     DynamicList<vector> periods;
     bool alongOnly = freeDirections(periods);
     reduce(alongOnly, orOp<bool>());
-    alongOnly = findOthers(dict) || alongOnly;
+    alongOnly = alongOnly || others_;
 
     // Orthogonal directions: first the free ones, then those that are held
     DynamicList<vector> axes;
@@ -155,13 +161,13 @@ void Foam::fv::meanVelocityGradient::readMeanVelocity(const dictionary& dict)
             }
         }
     }
-    held_ = Zero;
+    tensor held(Zero);
     for (label k = nFree; k < axes.size(); ++k)
     {
-        held_ += axes[k]*axes[k];
+        held += axes[k]*axes[k];
     }
 
-    if (mag(Ubar_ - (held_ & Ubar_)) > 1e-6*mag(Ubar_))
+    if (mag(Ubar_ - (held & Ubar_)) > 1e-6*mag(Ubar_))
     {
         FatalIOErrorInFunction(coeffs_)
             << "Entry 'Ubar' is " << Ubar_ << ", but the boundary conditions fix"
@@ -177,6 +183,7 @@ void Foam::fv::meanVelocityGradient::readMeanVelocity(const dictionary& dict)
             << " velocity can be held: there are no cyclic patches, or their"
             << " directions are among the entry 'free'." << exit(FatalIOError);
     }
+    return held;
 }
 
 
@@ -318,7 +325,7 @@ void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
 
     const vector mean(meanOf(U));
     const vector kept(fresh_ ? vector::zero : response_/dt*(mean - mean_));
-    gradient_ += held_ & (Ubar_ - mean - kept)/response_;
+    gradient_ += heldDirections() & (Ubar_ - mean - kept)/response_;
     mean_ = mean;
     fresh_ = false;
 

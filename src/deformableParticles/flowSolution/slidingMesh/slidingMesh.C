@@ -145,8 +145,7 @@ Foam::slidingMesh::slidingMesh
 )
 :
     cloud_(cloud),
-    flow_(flow),
-    along_(Zero)
+    flow_(flow)
 {
     const string reason
     (
@@ -169,8 +168,7 @@ Foam::string Foam::slidingMesh::obstacle()
         return "the flow does not feel the clumps";
     }
     const volVectorField& U = flow_.U();
-    along_ = alongBoundary(U.mesh());
-    if (mag(along_) == 0)
+    if (mag(alongBoundary(U.mesh())) == 0)
     {
         return "no straight duct with periodic ends";
     }
@@ -218,8 +216,10 @@ void Foam::slidingMesh::beginStep()
         const scalar dx = Foam::cbrt(gMin(cells));
         const scalar dt = U.time().deltaTValue();
         const vector fluid(gSum(cells*U.primitiveField())/gSum(cells));
-        const vector u(along_ & cloud_.meanVelocity());
-        const vector q((along_ & fluid) - u);
+        // Of the present mesh: where it is refined, the normals change by round-off
+        const tensor along(alongBoundary(U.mesh()));
+        const vector u(along & cloud_.meanVelocity());
+        const vector q((along & fluid) - u);
 
         const vector V(u + 0.05*min(scalar(1), dx/dt/max(mag(q), VSMALL))*q);
         const scalar most =

@@ -1,9 +1,11 @@
-"""Drift of a sphere across ducts and tubes, and the places where it stays."""
+"""Drift of a sphere across ducts and tubes, the places where it stays, and the lift on it."""
+
+import math
 
 import numpy as np
 from results import Results, plt, read, save
 
-H = 50e-6               # of Allrun
+H, MU = 50e-6, 1e-3     # of Allrun
 rows = read("data.csv")
 results = Results()
 
@@ -17,16 +19,14 @@ def path(r):
 
 def drift(r):
     """Away from the middle, over the largest velocity of the flow, in the second half of a run."""
-    t, _, y = path(r)
-    half = np.searchsorted(t, 0.5*t[-1])
-    return (y[-1] - y[half])/(t[-1] - t[half])
+    return read(r["file"])[-1]["drift_m_s"]/r["U_m_s"]
 
 
 def select(**values):
     return [r for r in rows if all(r[k] == v for k, v in values.items())]
 
 
-short = [r for r in rows if r["end"] < 10 and r["Re"] > 1]
+short = [r for r in rows if r["end"] < 10 and r["Re"] > 1 and r["held"] == "no"]
 base = next(r for r in short if r["shape"] == "duct" and (r["size"], r["Re"]) == (0.22, 50)
             and (r["Courant"], r["frame"], r["cells"]) == (1, 0, 24) and r["sliding"] == "auto")
 reference = drift(base)
@@ -61,6 +61,22 @@ for r in [r for r in rows if r["end"] > 10]:
     else:
         results.add(f"place, {what}", 2*late.mean(), "R", 0.65, "0.05",
                     "Segre and Silberberg 1962: 0.6 to 0.7")
+
+
+# The lift on a sphere that is held is what moves a free one across against its resistance
+for r in select(held="yes"):
+    history = read(r["file"])
+    stokes = 6*math.pi*MU*0.5*r["size"]*H
+    lift = history[-1]["lift_N"]
+    ratio = lift/(reference*r["U_m_s"])/stokes
+    print(f"lift {lift:.3e} N, {lift/(1e3*r['U_m_s']**2*(r['size']*H)**4/H**2):.3f} rho U2 d4/H2;"
+          f" over the drift {ratio:.3f} x 6 pi mu a")
+    results.add("lift over drift", ratio, "6 pi mu a", r["resistance_N_s_m"]/stokes, "10%",
+                "rbcIbFoam -resistance, of creeping flow in the same mesh")
+    results.add("force of the hold over lift", history[-1]["applied_N"]/lift, "", -1, "1e-3",
+                "steady state")
+    moved = max(p["y_m"] for p in history) - min(p["y_m"] for p in history)
+    results.add("way of the held sphere across", moved/H, "H", 0, "1e-12", "it is held")
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4))
 for sliding, style in ("auto", "o-"), ("off", "s--"):

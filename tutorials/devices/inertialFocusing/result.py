@@ -1,6 +1,6 @@
 """Distance of the sphere from the middle of the duct over time, and where it stays.
 
-Reads postProcessing/clumpForce. Writes result.csv and result.png.
+Reads postProcessing/clumpMigration. Writes result.csv and result.png.
 """
 
 import csv
@@ -10,15 +10,16 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from clumpTables import table
 
-WIDTH, SPEED = 50, 1.0                  # of the duct [um], in its middle [m/s]
+WIDTH = 50                              # of the duct [um]
 
-rows = table(".", "clumpForce")
+rows = table(".", "clumpMigration")
 time = [1e3*r["time"] for r in rows]
-away = [1e6*r["y"]/WIDTH - 0.5 for r in rows]
-way = 1e3*(rows[-1]["x"] - rows[0]["x"])
-late = [a for t, a in zip(time, away) if t > 0.8*time[-1]]
-print("after %.1f mm the sphere is %.2f half widths from the middle" % (way, 2*late[-1]))
-print("it moved by %.3f half widths in the last fifth of the time" % (2*(late[-1] - late[0])))
+away = [1e6*r["across"]/WIDTH - 0.5 for r in rows]
+early = min(rows, key=lambda r: abs(r["time"] - 1e-3))
+print("its path is inclined by %.2f degrees to the stream in the first millisecond"
+      % early["angle"])
+print("after %.1f mm the sphere is %.2f half widths from the middle, and inclined by %.2f degrees"
+      % (1e3*(rows[-1]["along"] - rows[0]["along"]), 2*away[-1], abs(rows[-1]["angle"])))
 
 with open("result.csv", "w", newline="") as out:
     result = csv.writer(out)

@@ -16,16 +16,20 @@ from clumpTables import table
 
 PERIOD, RADIUS, TANGENT = 20, 5, 0.1        # of the array [um], of the flow
 GAP = PERIOD - 2*RADIUS
+MODES = {"displaced": "displaced", "withFlow": "with the flow", "between": "between the modes"}
 
 figure, axes = plt.subplots(figsize=(9, 4))
 highest, longest = 0, 0
 rows = []
 for diameter in sorted(sys.argv[1:], key=float):
-    path = [(1e6*r["x"], 1e6*r["y"]) for r in table(diameter, "clumpForce")]
-    rows_crossed = math.floor(path[-1][1]/PERIOD) - math.floor(path[0][1]/PERIOD)
-    mode = "with the flow" if rows_crossed else "displaced"
+    run = table(diameter, "clumpMigration")
+    mode = MODES[run[-1]["mode"]]
+    # From the axes of the flow to those of the rows of posts
+    turn = 1e6*(1 + 1j*TANGENT)/abs(1 + 1j*TANGENT)
+    path = [(z.real, z.imag) for z in (turn*(r["along"] + 1j*r["across"]) for r in run)]
     way = path[-1][0] - path[0][0]
-    rows.append((diameter, mode, round(way, 2), round(path[-1][1] - path[0][1], 2)))
+    rows.append((diameter, mode, round(way, 2), round(path[-1][1] - path[0][1], 2),
+                 round(run[-1]["displacement"], 2)))
     print("%s um: %s, %.0f um along the rows" % (diameter, mode, way))
     axes.plot(*zip(*path), label="%s um" % diameter)
     longest = max(longest, path[-1][0])
@@ -34,7 +38,7 @@ print("the smallest that Davis (2008) expects to be displaced: %.1f um" % (1.4*G
 
 with open("result.csv", "w", newline="") as out:
     result = csv.writer(out)
-    result.writerow(["diameter_um", "mode", "along_um", "across_um"])
+    result.writerow(["diameter_um", "mode", "along_um", "across_um", "displacement"])
     result.writerows(rows)
 
 for i in range(math.ceil(longest/PERIOD) + 1):

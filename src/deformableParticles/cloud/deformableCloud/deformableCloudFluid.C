@@ -176,6 +176,11 @@ bool Foam::deformableCloud::startWithFlow
         if (followFlow_.found(p.origId()) && !type(p).fixed())
         {
             coupling_->followFlow(p, image);
+            const vector held
+            (
+                constraints_[p.typeId()] & p.state().velocity(type(p))
+            );
+            p.state().u -= held;
         }
         some = some || (!followFlow_.found(p.origId()) && max(mag(p.state().u)) > 0);
     }
@@ -215,14 +220,18 @@ bool Foam::deformableCloud::someFixed() const
 }
 
 
-bool Foam::deformableCloud::someHeld() const
+Foam::symmTensor Foam::deformableCloud::held() const
 {
-    bool tethered = false;
+    symmTensor result(Zero);
+    if (someFixed())
+    {
+        result += symmTensor(I);
+    }
     for (const load& l : loads_)
     {
-        tethered = tethered || l.holds();
+        result += l.holds() ? symmTensor(I) : l.constraint();
     }
-    return tethered || someFixed();
+    return result;
 }
 
 

@@ -267,6 +267,7 @@ void Foam::deformableCloud::readTypes()
 
 void Foam::deformableCloud::readLoads()
 {
+    constraints_.setSize(types_.size(), symmTensor(Zero));
     if (!effects_.active("loads"))
     {
         return;
@@ -285,6 +286,18 @@ void Foam::deformableCloud::readLoads()
                 << exit(FatalIOError);
         }
         loads_.last().check(d, types_[typeIds_[on]].size());
+
+        symmTensor& constraint = constraints_[typeIds_[on]];
+        if (tr(constraint) > 0 && tr(loads_.last().constraint()) > 0)
+        {
+            FatalIOErrorInFunction(d)
+                << "Clump type " << on << " has two loads of the type hold: give"
+                << " all directions to one of them." << exit(FatalIOError);
+        }
+        if (!types_[typeIds_[on]].fixed())
+        {
+            constraint += loads_.last().constraint();
+        }
     }
 }
 

@@ -55,14 +55,43 @@ void Foam::deformableCloud::solveOnce(const scalar dt)
         {
             p.step().begin(p.state());
         }
-        p.step().deflated = false;
-        if (p.step().guessed)
+        setSteadyForces(p, dt);
+        p.step().holdForce = Zero;
+    }
+
+    label n = 0;
+    do
+    {
+        advanceAll(dt);
+    }
+    while (changeHolds(dt, n++));
+
+    for (clumpParcel& p : *this)
+    {
+        clumpStep& step = p.step();
+        if (!type(p).fixed())
+        {
+            momentum_.addStep(type(p), p.state(), step);
+        }
+        step.guessed = true;
+    }
+    endCorrector(dt);
+}
+
+
+void Foam::deformableCloud::advanceAll(const scalar dt)
+{
+    for (clumpParcel& p : *this)
+    {
+        clumpStep& step = p.step();
+        step.deflated = false;
+        if (step.guessed)
         {
             // Bonds that broke in a solution that was not accepted
-            p.step().end.broken = p.state().broken;
+            step.end.broken = p.state().broken;
         }
-        setSteadyForces(p, dt);
-        p.step().forces = p.step().steadyForces;
+        step.forces = step.steadyForces;
+        step.forces.f += type(p).masses()/type(p).mass()*step.holdForce;
     }
     addLoads(mesh_.time().value());
 
@@ -78,17 +107,73 @@ void Foam::deformableCloud::solveOnce(const scalar dt)
             advance(p, dt);
         }
     }
+}
 
+
+bool Foam::deformableCloud::changeHolds(const scalar dt, const label n)
+{
+    if (tr(sum(constraints_)) <= 0)
+    {
+        return false;
+    }
+
+    constexpr label most = 20;
+    scalar farthest = 0;
     for (clumpParcel& p : *this)
     {
+        const clumpType& ct = type(p);
+        const symmTensor& along = constraints_[p.typeId()];
         clumpStep& step = p.step();
-        if (!type(p).fixed())
+        const vector strayed
+        (
+            along & (step.end.centre(ct) - p.state().centre(ct))
+        );
+        farthest = max(farthest, mag(strayed)/min(ct.radii()));
+
+        // The secant through the last two solutions; before, mass and coupling alone
+        const scalar inertia = ct.mass()/dt + sum(step.forces.zeta);
+        const vector change(strayed - step.strayed);
+        if (n == 0)
         {
-            momentum_.addStep(type(p), p.state(), step);
+            step.holdStiffness = inertia/dt;
         }
-        step.guessed = true;
+        else if
+        (
+            mag(change) > 0.1*mag(step.strayed) && (step.strayed & change) < 0
+        )
+        {
+            step.holdStiffness *= -(step.strayed & change)/magSqr(change);
+        }
+        step.strayed = strayed;
     }
-    endCorrector(dt);
+    reduce(farthest, maxOp<scalar>());
+
+    const bool again = farthest > 1e-9 && n + 1 < most;
+    if (farthest > 1e-6 && !again)
+    {
+        WarningInFunction
+            << "A clump that is held has strayed by " << farthest
+            << " sphere radii in the step; it is put back." << endl;
+    }
+    for (clumpParcel& p : *this)
+    {
+        const clumpType& ct = type(p);
+        clumpStep& step = p.step();
+        if (again)
+        {
+            step.holdForce -= step.holdStiffness*step.strayed;
+        }
+        else
+        {
+            // What is left is below the tolerance of the solution
+            const vector du(constraints_[p.typeId()] & step.end.velocity(ct));
+            step.forces.f -=
+                (ct.masses()/dt + step.forces.zeta)*du;
+            step.end.x -= step.strayed;
+            step.end.u -= du;
+        }
+    }
+    return again;
 }
 
 
@@ -158,7 +243,8 @@ void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
     {
         // What acts on a clump adds a resistance that it alone has not
         const externalForces& steady = p.step().steadyForces;
-        if (ext.f == steady.f && ext.k == steady.k)
+        const bool held = tr(constraints_[p.typeId()]) > 0;
+        if (ext.f == steady.f && ext.k == steady.k && !held)
         {
             coupling_->deflate(p, dt, ext);
         }

@@ -12,8 +12,9 @@ namespace
 
 using namespace Foam;
 
-//- Projects onto the directions at right angles to all faces that are not coupled
-tensor alongBoundary(const fvMesh& mesh)
+//- Projects onto the directions at right angles to all faces that are not coupled, and
+//  along which no clump is held
+tensor alongBoundary(const fvMesh& mesh, const symmTensor& held)
 {
     symmTensor normals(Zero);
     scalar area = 0;
@@ -27,6 +28,7 @@ tensor alongBoundary(const fvMesh& mesh)
     }
     reduce(normals, sumOp<symmTensor>());
     reduce(area, sumOp<scalar>());
+    normals = normals/max(area, VSMALL) + held;
 
     Eigen::Matrix3d moments;
     moments <<
@@ -39,7 +41,7 @@ tensor alongBoundary(const fvMesh& mesh)
     tensor result(Zero);
     for (label i = 0; i < 3; ++i)
     {
-        if (solver.eigenvalues()[i] < 1e-9*max(area, VSMALL))
+        if (solver.eigenvalues()[i] < 1e-9)
         {
             const Eigen::Vector3d e(solver.eigenvectors().col(i));
             const vector direction(e[0], e[1], e[2]);
@@ -168,7 +170,7 @@ Foam::string Foam::slidingMesh::obstacle()
         return "the flow does not feel the clumps";
     }
     const volVectorField& U = flow_.U();
-    if (mag(alongBoundary(U.mesh())) == 0)
+    if (mag(alongBoundary(U.mesh(), Zero)) == 0)
     {
         return "no straight duct with periodic ends";
     }
@@ -176,7 +178,7 @@ Foam::string Foam::slidingMesh::obstacle()
     {
         return "clumps may enter or leave";
     }
-    if (cloud_.someHeld())
+    if (mag(alongBoundary(U.mesh(), cloud_.held())) == 0)
     {
         return "a clump is held";
     }
@@ -212,12 +214,12 @@ void Foam::slidingMesh::beginStep()
     if (cloud_.effects().active("sliding"))
     {
         const volVectorField& U = flow_.U();
-        const scalarField& cells = U.mesh().V();
-        const scalar dx = Foam::cbrt(gMin(cells));
+        const scalar dx = Foam::cbrt(gMin(U.mesh().V()));
         const scalar dt = U.time().deltaTValue();
-        const vector fluid(gSum(cells*U.primitiveField())/gSum(cells));
+        const vector fluid(U().weightedAverage(U.mesh().V()).value());
+
         // Of the present mesh: where it is refined, the normals change by round-off
-        const tensor along(alongBoundary(U.mesh()));
+        const tensor along(alongBoundary(U.mesh(), cloud_.held()));
         const vector u(along & cloud_.meanVelocity());
         const vector q((along & fluid) - u);
 

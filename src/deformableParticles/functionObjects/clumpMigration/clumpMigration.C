@@ -55,35 +55,35 @@ bool Foam::functionObjects::clumpMigration::read(const dictionary& dict)
     );
     cloudName_ = deformableCloud::findName(mesh_, dict);
     axes_ = flowAxes(dict);
-    clump_ = dict.found("clump") ? getNumber(dict, "clump", 0, labelMax) : -1;
+    clump_ = getNumberOrDefault(dict, "clump", -1, -1, labelMax);
     checkClump(dict);
     mean_ = dict.getOrDefault("mean", false);
     window_ = getPositive(dict, "window");
 
-    length_ = shift_ = 0;
-    if (dict.found("period"))
+    const vector period
+    (
+        getFiniteOrDefault<vector>(dict, "period", vector(0, 0, 0))
+    );
+    length_ = mag(period & axes_.flow);
+    shift_ = (period & axes_.gradient)*((period & axes_.flow) < 0 ? -1 : 1);
+    const bool inclined =
+        mag(shift_) > 1e-3*length_ && length_ > 1e-3*mag(shift_);
+    if (mag(period) > 0 && !inclined)
     {
-        const vector period(getFinite<vector>(dict, "period"));
-        length_ = mag(period & axes_.flow);
-        shift_ = (period & axes_.gradient)*((period & axes_.flow) < 0 ? -1 : 1);
-        if (mag(shift_) <= 1e-3*length_ || length_ <= 1e-3*mag(shift_))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'period' is " << period << "; a row of posts must be"
-                << " inclined to the flow " << axes_.flow << " in the plane of the"
-                << " gradient " << axes_.gradient << '.' << exit(FatalIOError);
-        }
+        FatalIOErrorInFunction(dict)
+            << "Entry 'period' is " << period << "; a row of posts must be"
+            << " inclined to the flow " << axes_.flow << " in the plane of the"
+            << " gradient " << axes_.gradient << '.' << exit(FatalIOError);
     }
-    if (dict.found("stopAfterPeriods") && !length_)
+
+    stopPeriods_ = getNonNegativeOrDefault(dict, "stopAfterPeriods", 0);
+    stopDrift_ = getNonNegativeOrDefault(dict, "stopAtDrift", 0);
+    if (stopPeriods_ > 0 && !length_)
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'stopAfterPeriods' needs the entry 'period'."
             << exit(FatalIOError);
     }
-    stopPeriods_ =
-        dict.found("stopAfterPeriods") ? getPositive(dict, "stopAfterPeriods") : 0;
-    stopDrift_ =
-        dict.found("stopAtDrift") ? getPositive(dict, "stopAtDrift") : 0;
 
     return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }

@@ -71,10 +71,12 @@ for r in [r for r in rows if r["end"] > 10]:
 for r in select(held="yes"):
     history = read(r["file"])
     stokes = 6*math.pi*MU*0.5*r["size"]*H
-    lift = np.mean([p["lift_N"] for p in history[len(history)//2:]])
+    lifts = [p["lift_N"] for p in history[len(history)//2:]]
+    lift = np.mean(lifts)
     ratio = lift/(reference*r["U_m_s"])/stokes
     print(f"lift {lift:.3e} N, {lift/(1e3*r['U_m_s']**2*(r['size']*H)**4/H**2):.3f} rho U2 d4/H2;"
-          f" over the drift {ratio:.3f} x 6 pi mu a")
+          f" over the drift {ratio:.3f} x 6 pi mu a; between {min(lifts)/lift:.2f} and"
+          f" {max(lifts)/lift:.2f} of this mean")
     results.add("lift over drift", ratio, "6 pi mu a", r["resistance_N_s_m"]/stokes, "10%",
                 "rbcIbFoam -resistance, of creeping flow in the same mesh")
     results.add("force of the hold over lift", history[-1]["applied_N"]/history[-1]["lift_N"], "",

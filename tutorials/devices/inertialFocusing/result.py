@@ -18,7 +18,7 @@ away = [1e6*r["across"]/WIDTH - 0.5 for r in rows]
 early = min(rows, key=lambda r: abs(r["time"] - 1e-3))
 print("its path is inclined by %.2f degrees to the stream in the first millisecond"
       % early["angle"])
-print("after %.1f mm the sphere is %.2f half widths from the middle, and inclined by %.2f degrees"
+print("after %.1f mm the sphere is %.2f half widths from the middle, and inclined by %.1f degrees"
       % (1e3*(rows[-1]["along"] - rows[0]["along"]), 2*away[-1], abs(rows[-1]["angle"])))
 
 with open("result.csv", "w", newline="") as out:

@@ -6,6 +6,7 @@
 #include "catch2/catch.hpp"
 #include "testCloud.H"
 #include "wallSurface.H"
+#include "mathematicalConstants.H"
 
 using namespace Foam;
 
@@ -102,6 +103,74 @@ TEST_CASE("cloud: walls are felt from either side of a processor boundary", "[cl
         CHECK(contacts[0].overlap == Approx(0.5e-6).epsilon(1e-6));
         CHECK(walls.distance(x, 1) == Approx(1.5e-6).epsilon(1e-6));
         CHECK(walls.contacts(x + vector(0, 1e-6, 0), r).empty());
+    }
+}
+
+
+TEST_CASE("cloud: curvature of walls across processor boundaries", "[cloud][walls]")
+{
+    testCloud t(point(10e-6, 10e-6, 10e-6), Zero, Zero, "wholeClump", false);
+    const ghostExchange& ghosts = t.cloud().ghosts();
+
+    // A post in the middle of the box: the faces whose centres this processor has, and
+    // all of them, which others add once more
+    const scalar R = 4e-6, r = 2e-6;
+    const label n = 48, m = 10;
+    pointField points;
+    faceList all, own;
+    for (label j = 0; j <= m; ++j)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar angle = constant::mathematical::twoPi*(i + 0.3)/n;
+            points.append
+            (
+                point(10.01e-6, 10.02e-6, 5e-6 + 1e-6*j)
+              + R*vector(Foam::cos(angle), Foam::sin(angle), 0)
+            );
+        }
+    }
+    for (label f = 0; f < n*m; ++f)
+    {
+        const label next = f - f % n + (f + 1) % n;
+        all.append(face(labelList({f, f + n, next + n, next})));
+        if (testMesh().findCell(all.last().centre(points)) >= 0)
+        {
+            own.append(all.last());
+        }
+    }
+    CHECK(returnReduce(own.size(), sumOp<label>()) == all.size());
+    const wallSurface walls(own, points, ghosts);
+    const wallSurface reference(all, points, ghosts);
+
+    for (label k = 0; k < 40; ++k)
+    {
+        const vector out
+        (
+            Foam::cos(0.16*k), Foam::sin(0.16*k), 0
+        );
+        const point x(point(10.01e-6, 10.02e-6, 10.3e-6) + (R + 1.05*r)*out);
+        if (testMesh().findCell(x) < 0)
+        {
+            continue;
+        }
+        const auto curvature = [&](const wallSurface& surface)
+        {
+            const vector width(1.5*r*vector::one);
+            const auto films
+            (
+                surface.films
+                (
+                    x, r, 0.1*r, 0.2*r, surface.near(boundBox(x - width, x + width))
+                )
+            );
+            REQUIRE(films.size() >= 1);
+            return films[0].curvature;
+        };
+        const symmTensor found(curvature(walls));
+        CHECK(R*mag(found - curvature(reference)) < 1e-8);
+        CHECK(R*tr(found) == Approx(1).epsilon(0.05));
+        CHECK(R*mag(found.zz()) < 0.01);
     }
 }
 

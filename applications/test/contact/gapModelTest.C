@@ -113,6 +113,99 @@ TEST_CASE("squeeze film: resistance of lubrication theory", "[gap][serial]")
 }
 
 
+TEST_CASE("squeeze film: resistance at curved walls", "[gap][serial]")
+{
+    const auto model(film());
+    const scalar dt = 1e-6, g = 2e-8, limit = 1.2*plasma.cellWidth;
+
+    // Over that of a sphere at a plane
+    const auto relative = [&](const gapModel::radii& radii)
+    {
+        return
+            model->step(g, g, dt, radii, plasma).stiffness*dt
+           /(unit*(1/g - 1/limit));
+    };
+    const auto atWall = [&](const scalar k1, const scalar k2)
+    {
+        const vector e1(0.6, 0.8, 0), e2(0, 0, 1);
+        return relative
+        (
+            gapModel::radii(R, (k1*sqr(e1) + k2*sqr(e2))/R)
+        );
+    };
+    CHECK(atWall(0, 0) == Approx(1));
+    CHECK(atWall(1, 1) == Approx(0.25));
+    CHECK(relative(contactModel::reduced(R, 3*R)) == Approx(9.0/16));
+
+    // A sphere held by the inside of a larger one
+    CHECK(atWall(-0.5, -0.5) == Approx(4));
+
+    // Outside a cylinder and inside a tube of twice the radius; crossed cylinders of
+    // equal radii are a sphere and a plane
+    CHECK(atWall(0.5, 0) == Approx(1/(1.25*Foam::sqrt(1.5))));
+    CHECK(atWall(-0.5, 0) == Approx(1/(0.75*Foam::sqrt(0.5))));
+    CHECK(atWall(0, 0.5) == Approx(atWall(0.5, 0)));
+    CHECK(atWall(3, 0) == Approx(relative({0.25*R, R})));
+
+    // No more where the wall fits the sphere
+    CHECK(atWall(-1, 0) == Approx(2/(Foam::sqrt(0.1)*1.1)));
+    CHECK(atWall(-5, 0) == Approx(atWall(-0.9, 0)));
+
+    // The pressure A/h^2 solves Reynolds' equation, and its integral over x and y is
+    // the force. Lengths over R, the viscosity and the speed of approach are 1
+    for (const scalar R2 : {0.2, 0.65, 1.0, 4.0})
+    {
+        const scalar gap = 0.05, A = 6*R2/(1 + R2), d = 1e-4;
+        const auto h = [&](const scalar x, const scalar y)
+        {
+            return gap + 0.5*sqr(x) + 0.5*sqr(y)/R2;
+        };
+        const auto p = [&](const scalar x, const scalar y)
+        {
+            return A/sqr(h(x, y));
+        };
+        for (const point& at : {point(0, 0, 0), point(0.2, 0.1, 0), point(0.1, -0.4, 0)})
+        {
+            scalar divergence = 0;
+            for (const vector& to : {vector(d, 0, 0), vector(0, d, 0)})
+            {
+                for (const scalar side : {1, -1})
+                {
+                    const point end(at + side*to), face(at + 0.5*side*to);
+                    divergence +=
+                        pow3(h(face.x(), face.y()))
+                       *(p(end.x(), end.y()) - p(at.x(), at.y()))/sqr(d);
+                }
+            }
+            CHECK(divergence == Approx(-12).epsilon(1e-4));
+        }
+
+        // x = s cos(a), y = s sin(a) and s = tan(q)
+        scalar force = 0;
+        const label n = 400;
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar q = constant::mathematical::piByTwo*(i + 0.5)/n;
+            const scalar s = Foam::tan(q);
+            for (label k = 0; k < n; ++k)
+            {
+                const scalar a = constant::mathematical::twoPi*k/n;
+                force +=
+                    p(s*Foam::cos(a), s*Foam::sin(a))*s/sqr(Foam::cos(q))
+                   *constant::mathematical::piByTwo*constant::mathematical::twoPi
+                   /sqr(scalar(n));
+            }
+        }
+        INFO(R2);
+        CHECK
+        (
+            relative({R, R2*R})
+         == Approx(force*gap/(6*constant::mathematical::pi)).epsilon(1e-3)
+        );
+    }
+}
+
+
 TEST_CASE("squeeze film: dissipates, and knows no length of a step", "[gap][serial]")
 {
     const auto model(film());

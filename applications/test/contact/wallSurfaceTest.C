@@ -357,3 +357,216 @@ TEST_CASE("walls: either side of a wall without thickness", "[walls][serial]")
         CHECK(mag(f - vector(0, 0, side*hertz(0.1*r))) < 1e-6*mag(f));
     }
 }
+
+
+namespace
+{
+
+//- A cylinder of radius R about z, n faces around it and m along it, of unequal widths;
+//  normals out of a fluid around it, or in it
+struct cylinder
+{
+    faceList faces;
+    pointField points;
+
+    cylinder
+    (
+        const label n, const scalar R, const bool outside, const label m = 20,
+        const scalar uneven = 0.3
+    )
+    :
+        faces(n*m),
+        points(n*(m + 1))
+    {
+        for (label j = 0; j <= m; ++j)
+        {
+            for (label i = 0; i < n; ++i)
+            {
+                const scalar angle =
+                    2*pi*(i + 0.5*uneven*Foam::sin(2*pi*i/n*5))/n + 0.01;
+                points[j*n + i] =
+                    R*vector(Foam::cos(angle), Foam::sin(angle), 0)
+                  + vector(0, 0, 20e-6*j/m - 10e-6);
+            }
+        }
+        for (label j = 0; j < m; ++j)
+        {
+            for (label i = 0; i < n; ++i)
+            {
+                const label a = j*n + i, b = j*n + (i + 1) % n;
+                face& f = faces[j*n + i];
+                f = face(labelList({a, b, b + n, a + n}));
+                if (outside)
+                {
+                    f = f.reverseFace();
+                }
+            }
+        }
+    }
+
+    //- Two triangles for each face
+    wallSurface triangulated() const
+    {
+        DynamicList<point> corners;
+        for (const face& f : faces)
+        {
+            append(corners, points[f[0]], points[f[1]], points[f[2]]);
+            append(corners, points[f[0]], points[f[2]], points[f[3]]);
+        }
+        return wallSurface(corners);
+    }
+};
+
+DynamicList<wallSurface::film> filmsAt
+(
+    const wallSurface& walls, const point& x, const scalar radius
+)
+{
+    const vector width(1.5*radius*vector::one);
+    return walls.films
+    (
+        x, radius, 0.1*radius, 0.2*radius, walls.near(boundBox(x - width, x + width))
+    );
+}
+
+}
+
+
+TEST_CASE("walls: curvature and gap at a cylinder", "[walls][serial]")
+{
+    const bool outside = GENERATE(true, false);
+    const bool triangles = GENERATE(true, false);
+    const ghostExchange ghosts(testMesh());
+    const scalar R = 5e-6, gap = 0.05*r;
+
+    scalar last = GREAT;
+    for (const label n : {24, 48, 96})
+    {
+        const cylinder c(n, R, outside);
+        const wallSurface walls
+        (
+            triangles ? c.triangulated() : wallSurface(c.faces, c.points, ghosts)
+        );
+        scalar worst = 0, worstShare = 0, worstGap = 0;
+        for (label k = 0; k < 50; ++k)
+        {
+            const scalar angle = 0.12*k;
+            const vector out(Foam::cos(angle), Foam::sin(angle), 0);
+            const point x
+            (
+                (outside ? R + gap + r : R - gap - r)*out
+              + vector(0, 0, 1e-6*Foam::sin(scalar(k)))
+            );
+            const auto films(filmsAt(walls, x, r));
+            REQUIRE(films.size() == 1);
+            const wallSurface::film& f = films[0];
+            const scalar side = outside ? 1 : -1;
+            worst = max(worst, mag(R*tr(f.curvature) - side));
+            worst = max(worst, R*mag(f.curvature & vector(0, 0, 1)));
+            worstShare = max(worstShare, mag(f.nearest.share - 1));
+            const scalar found = 1.2*r - f.nearest.overlap - r;
+            worstGap = max
+            (
+                worstGap, mag(found - (r + gap - r))/R
+            );
+            CHECK((f.nearest.normal & (side*out)) > Foam::cos(1.2*pi/n));
+        }
+        INFO
+        (
+            (outside ? "post" : "tube") << (triangles ? ", triangles, " : ", ") << n
+            << ": curvature " << worst << " share " << worstShare << " gap "
+            << worstGap
+        );
+
+        // The angle of a face is up to 1.2 times 2 pi/n. The fit reaches one and a half
+        // faces to either side, and z = x^2/(2 R) lacks x^4/(8 R^3)
+        CHECK(worst < (n == 24 ? 0.08 : 0.05));
+        CHECK(worst < 1.01*last);
+        CHECK(worstShare < 1e-6);
+        CHECK(worstGap < 1.02*(1 - Foam::cos(1.2*pi/n)));
+        last = worst;
+    }
+}
+
+
+TEST_CASE("walls: curvature at planes, edges, spheres and strips", "[walls][serial]")
+{
+    // An oblique plane of triangles, and one of a single face
+    const vector e1(0.8, 0.36, 0.48), e2(-0.6, 0.48, 0.64);
+    for (const label n : {1, 12})
+    {
+        DynamicList<point> corners;
+        appendPlane(corners, -10e-6*(e1 + e2), 20e-6*e1, 20e-6*e2, n, n);
+        const wallSurface walls(corners);
+        const auto films(filmsAt(walls, -1.05*r*(e1 ^ e2), r));
+        REQUIRE(films.size() == 1);
+        CHECK(r*mag(films[0].curvature) < 1e-8);
+        CHECK(films[0].nearest.share == Approx(1));
+        CHECK(films[0].nearest.overlap == Approx(0.15*r));
+    }
+
+    // Two walls of a channel: plane up to the edge between them, two films in it
+    DynamicList<point> corners;
+    appendPlane
+    (
+        corners, point(0, 10e-6, 0), vector(20e-6, 0, 0), vector(0, -20e-6, 0), 7, 7
+    );
+    appendPlane
+    (
+        corners, point(0, -10e-6, 0), vector(0, 0, 20e-6), vector(0, 20e-6, 0), 9, 5
+    );
+    const wallSurface corner(corners);
+    const auto both(filmsAt(corner, point(1.02*r, 0, 1.05*r), r));
+    REQUIRE(both.size() == 2);
+    for (const wallSurface::film& f : both)
+    {
+        CHECK(r*mag(f.curvature) < 1e-8);
+        CHECK(f.nearest.share > 0.9);
+    }
+
+    // A strip one face wide: curved around, not along
+    const ghostExchange ghosts(testMesh());
+    const cylinder strip(48, 5e-6, true, 1);
+    const auto alone
+    (
+        filmsAt
+        (
+            wallSurface(strip.faces, strip.points, ghosts), point(5e-6 + 1.05*r, 0, 0), r
+        )
+    );
+    REQUIRE(alone.size() == 1);
+    CHECK(5e-6*tr(alone[0].curvature) == Approx(1).epsilon(0.05));
+    CHECK(5e-6*mag(alone[0].curvature & vector(0, 0, 1)) < 1e-6);
+
+    // A sphere
+    const scalar R = 4e-6;
+    const label n = 40;
+    faceList faces;
+    DynamicList<point> points;
+    for (label j = 0; j <= n/2; ++j)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar polar = pi*(0.1 + 0.8*j/(n/2)), angle = 2*pi*i/n;
+            points.append
+            (
+                R*vector
+                (
+                    Foam::sin(polar)*Foam::cos(angle),
+                    Foam::sin(polar)*Foam::sin(angle), Foam::cos(polar)
+                )
+            );
+            if (j < n/2)
+            {
+                const label a = j*n + i, b = j*n + (i + 1) % n;
+                faces.append(face(labelList({a, b, b + n, a + n})));
+            }
+        }
+    }
+    const wallSurface ball(faces, points, ghosts);
+    const vector out(normalised(vector(0.7, 0.4, 0.3)));
+    const auto films(filmsAt(ball, (R + 1.03*r)*out, r));
+    REQUIRE(films.size() == 1);
+    CHECK(R*mag(films[0].curvature - (symmTensor::I - sqr(out))/R) < 0.15);
+    CHECK(R*tr(films[0].curvature) == Approx(2).epsilon(0.05));
+}

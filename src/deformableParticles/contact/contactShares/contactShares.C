@@ -52,24 +52,70 @@ Foam::contactShares::ofWalls
     const wallSurface& walls,
     const UList<label>& triangles,
     const UList<point>& x,
-    const UList<scalar>& r,
-    const scalar range
+    const UList<scalar>& r
 )
 {
     DynamicList<wallContact> result;
-    labelList first(x.size() + 1, Zero);
-
     forAll(x, i)
     {
         for
         (
             const wallSurface::contact& c
-          : walls.contacts(x[i], r[i] + range, triangles)
+          : walls.contacts(x[i], r[i], triangles)
         )
         {
-            result.append({i, c, 0, 0});
+            result.append({i, c, symmTensor::zero, 0, 0});
         }
-        first[i + 1] = result.size();
+    }
+    shareWalls(result, x, r);
+    return result;
+}
+
+
+Foam::DynamicList<Foam::contactShares::wallContact>
+Foam::contactShares::filmsOfWalls
+(
+    const wallSurface& walls,
+    const UList<label>& triangles,
+    const UList<point>& x,
+    const UList<scalar>& r,
+    const scalar range,
+    const scalar reach
+)
+{
+    DynamicList<wallContact> result;
+    forAll(x, i)
+    {
+        for
+        (
+            const wallSurface::film& f
+          : walls.films(x[i], r[i], range, reach, triangles)
+        )
+        {
+            result.append({i, f.nearest, f.curvature, 0, 0});
+        }
+    }
+    shareWalls(result, x, r);
+    return result;
+}
+
+
+void Foam::contactShares::shareWalls
+(
+    UList<wallContact>& contacts,
+    const UList<point>& x,
+    const UList<scalar>& r
+)
+{
+    // Where the contacts of a sphere begin
+    labelList first(x.size() + 1, Zero);
+    for (const wallContact& c : contacts)
+    {
+        ++first[c.i + 1];
+    }
+    forAll(x, i)
+    {
+        first[i + 1] += first[i];
     }
 
     // Share of a sphere's contacts in a direction, and square of their overlap
@@ -79,7 +125,7 @@ Foam::contactShares::ofWalls
         share = 0;
         for (label m = first[k]; m < first[k + 1]; ++m)
         {
-            const wallSurface::contact& c = result[m].wall;
+            const wallSurface::contact& c = contacts[m].wall;
             const scalar s = c.share*sqr(max(n & c.normal, scalar(0)));
             share += s;
             overlap2 += s*sqr(c.overlap);
@@ -87,7 +133,7 @@ Foam::contactShares::ofWalls
         return overlap2;
     };
 
-    for (wallContact& c : result)
+    for (wallContact& c : contacts)
     {
         scalar share;
         const scalar own = sums(c.i, c.wall.normal, share);
@@ -108,8 +154,6 @@ Foam::contactShares::ofWalls
         c.share = c.wall.share*own/sum;
         c.depth = c.wall.overlap*Foam::sqrt(deepest/mean2);
     }
-
-    return result;
 }
 
 

@@ -71,7 +71,8 @@ bool Foam::contactStep::addTouching(UList<bool>& together)
             const vector dx(displacement(t));
             const scalar gap =
                 t.b < 0
-              ? min(t.n & dx, scalar(0)) - t.radii
+              ? min(min(t.wallNormal & dx, fromWall(t, dx)), scalar(0))
+              - t.radii
               : leastDistance(before(t), dx) - t.radii;
             together[a] = gap < t.range;
         }

@@ -80,11 +80,19 @@ Foam::vector Foam::contactStep::displacement(const touch& t) const
 }
 
 
+Foam::scalar Foam::contactStep::fromWall(const touch& t, const vector& dx)
+{
+    return (t.wallNormal + 0.5*(t.bend & dx)) & dx;
+}
+
+
 void Foam::contactStep::evaluate(touch& t) const
 {
     if (t.b < 0)
     {
-        t.d = t.radii - (t.n & displacement(t));
+        const vector dx(displacement(t));
+        t.d = t.radii - fromWall(t, dx);
+        t.n = t.wallNormal + (t.bend & dx);
     }
     else
     {
@@ -109,7 +117,7 @@ void Foam::contactStep::evaluate(touch& t) const
     {
         const contactModel::increment w = gaps_.step
         (
-            -t.d, -t.first, dt_, t.R, t.cellWidth, t.b < 0
+            -t.d, -t.first, dt_, t.gapR, t.cellWidth, t.b < 0
         );
         t.w.energy += t.gapShare*w.energy;
         t.w.force += t.gapShare*w.force;

@@ -302,6 +302,7 @@ void Foam::contactStep::findPairs()
                     t.first = t.d;
                     t.n = mag(x) > SMALL*r ? vector(x/mag(x)) : vector::zero;
                     t.R = contactModel::reduced(rA[i], rB[j]);
+                    t.gapR = t.R;
                     t.m = contactModel::reduced
                     (
                         massAt(a, i), contactShares::mass(j, B.x, rB, mB)
@@ -351,23 +352,53 @@ void Foam::contactStep::findFilms(const label a)
         return;
     }
     const clumpParcel& p = clumps_[a];
-    const scalar reach =
-        gaps_.range(cellWidths_[a], true)
-      + span_*max(mag(p.state().u)) + slack_;
+    const scalarField& r = type(a).radii();
+    const scalar range = gaps_.range(cellWidths_[a], true);
+    const scalar reach = range + span_*max(mag(p.state().u)) + slack_;
 
     for
     (
-        const auto& c : contactShares::ofWalls
+        const auto& c : contactShares::filmsOfWalls
         (
-            walls_.surface(), wallsNear_[a], p.centres(), type(a).radii(), reach
+            walls_.surface(), wallsNear_[a], p.centres(), r, range, reach
         )
     )
     {
         touch t(ofWall(a, c.i, c.wall.normal, c.wall.overlap - reach));
         t.reaches = true;
+        t.gapR = gapModel::radii(r[c.i], c.curvature);
+        t.bend = bendOf(c.curvature, t.n, r[c.i] - t.d, r[c.i]);
         t.gapShare = c.share;
         touches_.append(t);
     }
+}
+
+
+Foam::symmTensor Foam::contactStep::bendOf
+(
+    const symmTensor& curvature,
+    const vector& n,
+    const scalar s,
+    const scalar radius
+)
+{
+    // A function of the tensor from that of its eigenvalues, across n
+    const scalar sum = tr(curvature);
+    const scalar difference =
+        Foam::sqrt(max(2*magSqr(curvature) - sqr(sum), scalar(0)));
+    const auto bent = [&](const scalar k)
+    {
+        const scalar limited = max(k, -0.9/max(s, radius));
+        return limited/(1 + limited*s);
+    };
+    const scalar k1 = 0.5*(sum + difference);
+    const scalar b1 = bent(k1);
+    if (difference <= 1e-6/radius)
+    {
+        return b1*(symmTensor::I - sqr(n));
+    }
+    const scalar slope = (b1 - bent(k1 - difference))/difference;
+    return slope*curvature + (b1 - slope*k1)*(symmTensor::I - sqr(n));
 }
 
 
@@ -386,6 +417,7 @@ Foam::contactStep::touch Foam::contactStep::ofWall
     t.j = -1;
     t.slot = -1;
     t.n = n;
+    t.wallNormal = n;
     t.d = d;
     t.radii = d;
     t.first = d;

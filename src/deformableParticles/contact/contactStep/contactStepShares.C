@@ -103,7 +103,7 @@ void Foam::contactStep::shareWalls
     {
         touch t(ofWall(a, c.i, c.wall.normal, c.wall.overlap));
         t.touches = true;
-        t.radii = t.d + (t.n & moved_[a][c.i]);
+        t.radii = t.d + fromWall(t, moved_[a][c.i]);
         t.first = t.radii;
         t.share = c.share;
         t.ratio = c.depth/c.wall.overlap;

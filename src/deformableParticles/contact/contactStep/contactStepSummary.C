@@ -29,7 +29,7 @@ Foam::contactSummary Foam::contactStep::summary() const
             const bool wall = t.b < 0;
             const vector dx(displacement(t));
             const scalar overlap =
-                t.radii - (wall ? (t.n & dx) : mag(before(t) + dx));
+                t.radii - (wall ? fromWall(t, dx) : mag(before(t) + dx));
             if (wall)
             {
                 // A plane beyond the edge of its wall is not touched. Beside an edge the

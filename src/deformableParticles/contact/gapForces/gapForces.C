@@ -90,7 +90,7 @@ Foam::contactModel::increment Foam::gapForces::step
     const scalar gap,
     const scalar start,
     const scalar dt,
-    const scalar reducedRadius,
+    const gapModel::radii& R,
     const scalar cellWidth,
     const bool atWall
 ) const
@@ -102,7 +102,7 @@ Foam::contactModel::increment Foam::gapForces::step
         {
             const contactModel::increment w = models_[k].step
             (
-                gap, start, dt, reducedRadius, {viscosity_, cellWidth}
+                gap, start, dt, R, {viscosity_, cellWidth}
             );
             result.energy += w.energy;
             result.force += w.force;

@@ -7,15 +7,17 @@
 #include "faceTriangles.H"
 #include "wallPolyPatch.H"
 #include "PstreamBuffers.H"
+#include "ListOps.H"
+#include "mergePoints.H"
 #include "treeBoundBox.H"
-#include <map>
-#include <tuple>
 
 Foam::wallSurface::wallSurface
 (
     const polyMesh& mesh,
     const ghostExchange& ghosts
 )
+:
+    centred_(true)
 {
     DynamicList<face> walls;
     for (const polyPatch& pp : mesh.boundaryMesh())
@@ -35,6 +37,8 @@ Foam::wallSurface::wallSurface
     const UList<point>& points,
     const ghostExchange& ghosts
 )
+:
+    centred_(true)
 {
     collect(faces, points, ghosts);
 }
@@ -105,6 +109,8 @@ void Foam::wallSurface::collect
 
 
 Foam::wallSurface::wallSurface(const UList<point>& corners)
+:
+    centred_(false)
 {
     makeSearch(corners);
 }
@@ -112,66 +118,110 @@ Foam::wallSurface::wallSurface(const UList<point>& corners)
 
 void Foam::wallSurface::makeSearch(const UList<point>& corners)
 {
-    if (corners.size())
+    if (corners.empty())
     {
-        List<labelledTri> triangles(corners.size()/3);
-        forAll(triangles, t)
-        {
-            triangles[t] = labelledTri(3*t, 3*t + 1, 3*t + 2, 0);
-        }
-        surface_.reset(new triSurface(triangles, pointField(corners)));
-        search_.reset(new triSurfaceSearch(*surface_));
+        return;
+    }
 
-        out_.setSize(triangles.size());
-        boxes_.setSize(triangles.size());
-        counts_.clear();
-        counts_.resize(triangles.size(), false);
-        forAll(triangles, t)
-        {
-            const point& a = corners[3*t];
-            const point& b = corners[3*t + 1];
-            const point& c = corners[3*t + 2];
-            boxes_[t] = boundBox(min(a, min(b, c)), max(a, max(b, c)));
+    // Periodic images and other processors have the same points to rounding only. The
+    // origin of the search is where few points have the same distance from it
+    const pointField all(corners);
+    const boundBox box(all, false);
+    labelList pointMap;
+    const label nPoints = mergePoints
+    (
+        all, 1e-9*box.mag(), false, pointMap,
+        box.min() - cmptMultiply(vector(1, 1.1, 1.3), box.span())
+    );
+    pointField points(nPoints);
+    forAll(all, k)
+    {
+        points[pointMap[k]] = all[k];
+    }
 
-            const vector area(triPointRef(a, b, c).areaNormal());
-            const bool flat = mag(area) < 1e-12*magSqr(boxes_[t].span());
-            out_[t] = flat ? vector::zero : vector(area/mag(area));
+    List<labelledTri> triangles(corners.size()/3);
+    forAll(triangles, t)
+    {
+        triangles[t] = labelledTri
+        (
+            pointMap[3*t], pointMap[3*t + 1], pointMap[3*t + 2], 0
+        );
+    }
+    invertManyToMany(nPoints, triangles, pointTriangles_);
+    surface_.reset(new triSurface(triangles, points));
+    search_.reset(new triSurfaceSearch(*surface_));
+
+    out_.setSize(triangles.size());
+    boxes_.setSize(triangles.size());
+    counts_.clear();
+    counts_.resize(triangles.size(), false);
+    forAll(triangles, t)
+    {
+        const triPointRef corner(triangle(t));
+        const point& a = corner.a();
+        const point& b = corner.b();
+        const point& c = corner.c();
+        boxes_[t] = boundBox(min(a, min(b, c)), max(a, max(b, c)));
+
+        const vector area(corner.areaNormal());
+        const bool flat = mag(area) < 1e-12*magSqr(boxes_[t].span());
+        out_[t] = flat ? vector::zero : vector(area/mag(area));
+    }
+    findNeighbours();
+}
+
+
+Foam::triPointRef Foam::wallSurface::triangle(const label t) const
+{
+    const labelledTri& corner = (*surface_)[t];
+    const pointField& points = surface_->points();
+    return triPointRef(points[corner[0]], points[corner[1]], points[corner[2]]);
+}
+
+
+void Foam::wallSurface::findNeighbours()
+{
+    neighbours_ = labelList(3*surface_->size(), -1);
+    forAll(*surface_, t)
+    {
+        const labelledTri& corner = (*surface_)[t];
+        for (label k = 0; k < 3; ++k)
+        {
+            // It runs along the edge in the opposite direction. A wall without
+            // thickness has two of them, of which one continues its side
+            scalar best = -GREAT;
+            for (const label other : pointTriangles_[corner[k]])
+            {
+                const scalar cosine = out_[t] & out_[other];
+                if
+                (
+                    other != t
+                 && (*surface_)[other].edgeDirection
+                    (
+                        edge(corner[k], corner[(k + 1) % 3])
+                    ) < 0
+                 && cosine > best
+                )
+                {
+                    best = cosine;
+                    neighbours_[3*t + k] = other;
+                }
+            }
         }
-        findCoplanar(corners);
     }
 }
 
 
-void Foam::wallSurface::findCoplanar(const UList<point>& corners)
+Foam::label Foam::wallSurface::beyond
+(
+    const label t,
+    const label k,
+    const scalar cosine
+) const
 {
-    typedef std::tuple<scalar, scalar, scalar, scalar, scalar, scalar> edge;
-    const auto edgeOf = [](const point& a, const point& b)
-    {
-        return edge(a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
-    };
-    std::map<edge, label> open;
-    coplanar_ = labelList(corners.size(), -1);
-    forAll(corners, k)
-    {
-        const label t = k/3;
-        const point& a = corners[k];
-        const point& b = corners[3*t + (k + 1) % 3];
-
-        // The neighbour runs along the edge in the opposite direction
-        const auto found = open.find(edgeOf(b, a));
-        if (found == open.end())
-        {
-            open[edgeOf(a, b)] = k;
-            continue;
-        }
-        const label other = found->second;
-        if (mag(out_[t] - out_[other/3]) < 1e-6)
-        {
-            coplanar_[k] = other/3;
-            coplanar_[other] = t;
-        }
-        open.erase(found);
-    }
+    const label other = neighbours_[3*t + k];
+    return
+        other >= 0 && (out_[t] & out_[other]) >= cosine ? other : -1;
 }
 
 
@@ -238,17 +288,12 @@ bool Foam::wallSurface::nearest
     );
     for (const label t : near)
     {
-        const labelledTri& corner = (*surface_)[t];
-        const pointField& points = surface_->points();
-        const triPointRef triangle
-        (
-            points[corner[0]], points[corner[1]], points[corner[2]]
-        );
-        const vector area(triangle.areaNormal());
+        const triPointRef corner(triangle(t));
+        const vector area(corner.areaNormal());
         if
         (
             mag(area) > VSMALL
-         && mag(triangle.nearestPoint(hit.rawPoint()).distance()) <= small
+         && mag(corner.nearestPoint(hit.rawPoint()).distance()) <= small
         )
         {
             const vector n(-area/mag(area));

@@ -77,10 +77,10 @@ scalar angleShare
     return t < 0 ? -result : result;
 }
 
+}
 
-//- What an edge of a piece of a plane contributes to the share of the piece, times 2 pi;
-//  from a to b, relative to the centre
-scalar edgeShare
+
+Foam::scalar Foam::wallSurface::edgeShare
 (
     const vector& a,
     const vector& b,
@@ -117,8 +117,6 @@ scalar edgeShare
         );
 }
 
-}
-
 
 Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
 (
@@ -143,21 +141,11 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
     scalar nearest = radius;
     scalar side = 0;
 
-    const auto triangleOf = [&](const label t)
-    {
-        const labelledTri& corner = (*surface_)[t];
-        const pointField& points = surface_->points();
-        return triPointRef
-        (
-            points[corner[0]], points[corner[1]], points[corner[2]]
-        );
-    };
-
     for (const label t : triangles)
     {
         const vector& out = out_[t];
-        const triPointRef triangle(triangleOf(t));
-        const scalar height = (triangle.a() - x) & out;
+        const triPointRef piece(triangle(t));
+        const scalar height = (piece.a() - x) & out;
         if
         (
             mag(height) >= radius || out == vector::zero
@@ -166,7 +154,7 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
         {
             continue;
         }
-        const scalar gap = triangle.nearestPoint(x).distance();
+        const scalar gap = piece.nearestPoint(x).distance();
         if (gap >= radius)
         {
             continue;
@@ -207,13 +195,13 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
         }
 
         // What two pieces of one plane have from the edge between them adds up to zero
-        const triPointRef triangle(triangleOf(f.triangle));
-        const point corners[] = {triangle.a(), triangle.b(), triangle.c()};
+        const triPointRef piece(triangle(f.triangle));
+        const point corners[] = {piece.a(), piece.b(), piece.c()};
         const scalar height = max(mag(f.height), 1e-9*radius);
         scalar share = 0;
         for (label k = 0; k < 3; ++k)
         {
-            const label other = coplanar_[3*f.triangle + k];
+            const label other = coplanar(f.triangle, k);
             if (other < 0 || !counts_[other])
             {
                 share += edgeShare

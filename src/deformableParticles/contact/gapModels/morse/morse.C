@@ -31,7 +31,7 @@ Foam::contactModel::increment Foam::gapModels::morse::step
     const scalar gap,
     const scalar,
     const scalar,
-    const scalar R,
+    const radii& R,
     const medium&
 ) const
 {
@@ -42,7 +42,8 @@ Foam::contactModel::increment Foam::gapModels::morse::step
     {
         return {0, 0, 0};
     }
-    const scalar Fm = 2*constant::mathematical::pi*R*energy_;
+    const scalar Fm =
+        2*constant::mathematical::pi*Foam::sqrt(R.first*R.second)*energy_;
     const scalar last = Foam::exp(-end);
     const scalar a = Foam::exp(-x) - last;
     const scalar left = end - x;

@@ -46,14 +46,26 @@ Foam::string Foam::gapModels::squeezeFilm::idleReason
 Foam::scalar Foam::gapModels::squeezeFilm::resistance
 (
     const scalar gap,
-    const scalar R,
+    const radii& R,
     const medium& between
 ) const
 {
     const scalar limit = range(between.cellWidth);
     const scalar g = min(max(gap, roughness_), limit);
+    return factor(R, between)*(1/g - 1/limit);
+}
+
+
+Foam::scalar Foam::gapModels::squeezeFilm::factor
+(
+    const radii& R,
+    const medium& between
+)
+{
+    const scalar product = R.first*R.second;
     return
-        6*constant::mathematical::pi*between.viscosity*sqr(R)*(1/g - 1/limit);
+        12*constant::mathematical::pi*between.viscosity
+       *product*Foam::sqrt(product)/(R.first + R.second);
 }
 
 
@@ -62,13 +74,13 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
     const scalar gap,
     const scalar start,
     const scalar dt,
-    const scalar R,
+    const radii& R,
     const medium& between
 ) const
 {
     const scalar limit = range(between.cellWidth);
     const scalar rough = min(roughness_, limit);
-    const scalar K = 6*constant::mathematical::pi*between.viscosity*sqr(R);
+    const scalar K = factor(R, between);
 
     // Integrals of c and of (C - C(start)), piece by piece from start to gap
     scalar C = 0, W = 0, from = start;

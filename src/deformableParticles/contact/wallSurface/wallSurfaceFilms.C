@@ -5,7 +5,6 @@
 
 #include "wallSurface.H"
 #include "mathematicalConstants.H"
-#include <algorithm>
 #include <Eigen/Dense>
 
 namespace
@@ -152,18 +151,45 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
             }
         }
     }
-    std::stable_sort
-    (
-        facets.begin(), facets.end(),
-        [](const facet& f, const facet& g) { return f.distance < g.distance; }
-    );
 
-    for (const facet& first : facets)
+    // Where two facets are equally near, on an edge, their normals decide, so that the
+    // order of the triangles does not
+    const auto before = [&](const facet& f, const facet& g)
     {
-        if (!counts_[first.triangle])
+        if (mag(f.distance - g.distance) > 1e-9*limit)
         {
-            continue;
+            return f.distance < g.distance;
         }
+        const vector turn(out_[f.triangle] - out_[g.triangle]);
+        for (direction k = 0; k < 3; ++k)
+        {
+            if (mag(turn[k]) > 1e-6)
+            {
+                return turn[k] < 0;
+            }
+        }
+        return false;
+    };
+
+    while (true)
+    {
+        label nearest = -1;
+        forAll(facets, k)
+        {
+            if
+            (
+                counts_[facets[k].triangle]
+             && (nearest < 0 || before(facets[k], facets[nearest]))
+            )
+            {
+                nearest = k;
+            }
+        }
+        if (nearest < 0)
+        {
+            break;
+        }
+        const facet& first = facets[nearest];
 
         // The part of the wall around it, and its outline
         const vector& out = out_[first.triangle];
@@ -209,11 +235,11 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
             const vector along(outline[k + 1] - outline[k]);
             const scalar at =
                 ((d - outline[k]) & along)/max(magSqr(along), VSMALL);
-            const vector nearest
+            const vector closest
             (
                 outline[k] + min(max(at, scalar(0)), scalar(1))*along
             );
-            onOutline = onOutline || magSqr(d - nearest) < sqr(1e-6*limit);
+            onOutline = onOutline || magSqr(d - closest) < sqr(1e-6*limit);
         }
         const vector normal(onOutline ? vector(-out) : away);
         const scalar height = d & -normal;
@@ -241,10 +267,6 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
                 }
             );
         }
-    }
-    for (const facet& f : facets)
-    {
-        counts_[f.triangle] = false;
     }
 
     return result;

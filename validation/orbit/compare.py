@@ -29,7 +29,7 @@ for r in rows:
     errors.setdefault(r["fluid"], []).append((per_step, radius/exact - 1, angle/(RATE*TIME)))
     flow = "resolved flow, two correctors" if r["fluid"] == "two" else f"{r['fluid']} flow"
     name = f"after 20 rad, {flow}, {per_step:g} rad per step"
-    if per_step <= 0.1 and r["fluid"] != "two":
+    if per_step <= 0.1:
         results.add(f"radius {name}", radius/exact, "", 1, "1%", SOURCE)
         results.add(f"angle {name}", turned, "rad", RATE*TIME, "1%", SOURCE)
     else:

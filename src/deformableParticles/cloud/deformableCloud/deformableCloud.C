@@ -21,17 +21,23 @@ void Foam::deformableCloud::evolve
     gatherForces(U, p, nu);
     decideEffects();
     solve(mesh_.time().deltaTValue());
-    accept();
+
+    vector dU(Zero);
+    if (coupled())
+    {
+        dU = (U() - U.oldTime()())().weightedAverage(mesh_.V()).value();
+    }
+    accept(dU);
 }
 
 
-void Foam::deformableCloud::accept()
+void Foam::deformableCloud::accept(const vector& dU)
 {
     for (clumpParcel& parcel : *this)
     {
         parcel.accept
         (
-            type(parcel), mesh_.time().deltaTValue()*meshVelocity_
+            type(parcel), mesh_.time().deltaTValue()*meshVelocity_, dU
         );
     }
     contacting_.forget();
@@ -53,7 +59,7 @@ void Foam::deformableCloud::evolve()
     updateGhosts();
     decideEffects();
     solve(mesh_.time().deltaTValue());
-    accept();
+    accept(Zero);
 }
 
 

@@ -163,11 +163,12 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 }
 
 
-const Foam::clumpFields::vectorFile Foam::clumpFields::vectorFiles_[3] =
+const Foam::clumpFields::vectorFile Foam::clumpFields::vectorFiles_[4] =
 {
     {"offset", &clumpParcel::offset_},
     {"sinceMet", &clumpParcel::sinceMet_},
-    {"acceleration", &clumpParcel::acceleration_}
+    {"acceleration", &clumpParcel::acceleration_},
+    {"accelerationBefore", &clumpParcel::accelerationBefore_}
 };
 
 

@@ -44,7 +44,8 @@ Foam::clumpParcel::clumpParcel
     target_(position),
     offset_(Zero),
     sinceMet_(Zero),
-    acceleration_(Zero)
+    acceleration_(Zero),
+    accelerationBefore_(Zero)
 {
     state_.x += position - this->position();
 }
@@ -66,14 +67,30 @@ void Foam::clumpParcel::autoMap
 }
 
 
-void Foam::clumpParcel::accept(const clumpType& type, const vector& s)
+void Foam::clumpParcel::accept
+(
+    const clumpType& type,
+    const vector& s,
+    const vector& dU
+)
 {
     sinceMet_ = step_.end.centre(type) - state_.centre(type) - s - step_.ahead;
-    acceleration_ =
-        (step_.end.velocity(type) - state_.velocity(type))
-       /mesh().time().deltaTValue();
+    const vector change(step_.end.velocity(type) - state_.velocity(type));
+    const scalar along = (change & dU)/max(magSqr(dU), VSMALL);
+    const scalar shared = min(max(along, scalar(0)), scalar(1));
+    accelerationBefore_ = acceleration_;
+    acceleration_ = (change - shared*dU)/mesh().time().deltaTValue();
     state_ = step_.end;
     step_.ahead = Zero;
+}
+
+
+Foam::vector Foam::clumpParcel::expectedAcceleration() const
+{
+    const scalar change =
+        mag(acceleration_ - accelerationBefore_)
+       /max(max(mag(acceleration_), mag(accelerationBefore_)), VSMALL);
+    return min(max(2 - 2*change, scalar(0)), scalar(1))*acceleration_;
 }
 
 
@@ -101,12 +118,13 @@ Foam::clumpParcel::clumpParcel
     target_(Zero),
     offset_(Zero),
     sinceMet_(Zero),
-    acceleration_(Zero)
+    acceleration_(Zero),
+    accelerationBefore_(Zero)
 {
     if (readFields)
     {
         is  >> typeId_ >> displacement_ >> target_ >> offset_ >> sinceMet_
-            >> acceleration_ >> state_
+            >> acceleration_ >> accelerationBefore_ >> state_
             >> fluidForces_ >> fluidTorques_ >> couplingFactor_ >> overshoots_;
     }
     is.check(FUNCTION_NAME);
@@ -122,6 +140,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
         << token::SPACE << p.offset_
         << token::SPACE << p.sinceMet_
         << token::SPACE << p.acceleration_
+        << token::SPACE << p.accelerationBefore_
         << token::SPACE << p.state_
         << token::SPACE << p.fluidForces_
         << token::SPACE << p.fluidTorques_

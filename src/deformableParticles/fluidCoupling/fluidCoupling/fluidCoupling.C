@@ -282,7 +282,7 @@ bool Foam::fluidCoupling::turn
     const vector velocity(s.velocity(type));
     const vector next
     (
-        extrapolate ? velocity + dt*p.acceleration() : velocity
+        extrapolate ? velocity + dt*p.expectedAcceleration() : velocity
     );
     const tensor R(rotation(dt*s.angularVelocity(type)).R());
 

@@ -95,7 +95,13 @@ TEST_CASE("bonds: forces are the gradient of the energy", "[bonds][serial]")
         "type elastic;",
         "type strainStiffening; stiffening 0.5;"
     );
-    const bondedClump clump("cell", cellDict("type none;", bond));
+    const string damping = GENERATE
+    (
+        "type none;",
+        "type shearThinning; lowRate { type dampingRatio; beta 1500; }"
+        " highRateFraction 0.1; transitionRate 300; exponent 0.2;"
+    );
+    const bondedClump clump("cell", cellDict(damping, bond));
     const clumpType& type = clump.type;
     Random random(3);
 
@@ -104,7 +110,7 @@ TEST_CASE("bonds: forces are the gradient of the energy", "[bonds][serial]")
     disturb(type, s, 0.3, random);
 
     const bondForces bonds(clump.bonds, start);
-    const scalar dt = 1e-4;
+    const scalar dt = 1e-3;
     vectorField F(type.size()), T(type.size()), f(F), t(T);
     bonds.stepForces(s, dt, F, T);
 
@@ -146,7 +152,13 @@ TEST_CASE("bonds: the tangent is the derivative of the forces", "[bonds][serial]
         "type elastic;",
         "type strainStiffening; stiffening 0.5;"
     );
-    const bondedClump clump("cell", cellDict("type dampingRatio; beta 1500;", bond));
+    const string damping = GENERATE
+    (
+        "type dampingRatio; beta 1500;",
+        "type shearThinning; lowRate { type dampingRatio; beta 1500; }"
+        " highRateFraction 0.1; transitionRate 300; exponent 0.2;"
+    );
+    const bondedClump clump("cell", cellDict(damping, bond));
     const clumpType& type = clump.type;
     Random random(4);
 

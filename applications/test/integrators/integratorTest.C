@@ -46,7 +46,9 @@ TEST_CASE("integrators: passive motion never gains energy", "[energy][serial]")
     const string damping = GENERATE
     (
         "type none;", "type dampingRatio; beta 1500;",
-        "type kelvinVoigt; timeConstant 0.08;"
+        "type kelvinVoigt; timeConstant 0.08;",
+        "type shearThinning; lowRate { type dampingRatio; beta 1500; }"
+        " highRateFraction 0.1; transitionRate 10; exponent 0;"
     );
     const bondedClump clump("cell", cellDict(damping));
     const clumpType& type = clump.type;
@@ -126,7 +128,14 @@ TEST_CASE("integrators: momentum changes by the impulse alone", "[momentum][seri
 
 TEST_CASE("integrators: implicit and explicit agree on small steps", "[verlet][serial]")
 {
-    const bondedClump clump("cell", cellDict("type kelvinVoigt; timeConstant 1e-6;"));
+    // Rates of strain of 1e4 to 1e5 1/s
+    const string damping = GENERATE
+    (
+        "type kelvinVoigt; timeConstant 1e-6;",
+        "type shearThinning; lowRate { type kelvinVoigt; timeConstant 1e-6; }"
+        " highRateFraction 0.1; transitionRate 2e4; exponent 0;"
+    );
+    const bondedClump clump("cell", cellDict(damping));
     const clumpType& type = clump.type;
     Random random(10);
 

@@ -29,7 +29,7 @@ bondFrame frameOf(const clumpBonds::bond& b, const clumpState& s)
 Foam::bondForces::bondForces(const clumpBonds& bonds)
 :
     bonds_(bonds),
-    damping_(bonds.bonds()),
+    damping_(bonds),
     grad_(bonds.type().size(), Zero)
 {}
 
@@ -89,14 +89,26 @@ Foam::scalar Foam::bondForces::explicitForces
             );
 
             const bondCoefficients& c = b.damping;
-            r.n += bondResponse::transverse
+            vector n
             (
-                c.normal, c.tangential, r.t, gammaRate
+                bondResponse::transverse(c.normal, c.tangential, r.t, gammaRate)
             );
-            r.m += bondResponse::transverse
+            vector m
             (
-                c.torsional, c.bending, b.direction, psiRate
+                bondResponse::transverse
+                (
+                    c.torsional, c.bending, b.direction, psiRate
+                )
             );
+            if (b.thinning > 0)
+            {
+                const scalar power = (n & gammaRate) + (m & psiRate);
+                const scalar g = bonds_.thinning().factor(b.thinning*power);
+                n *= g;
+                m *= g;
+            }
+            r.n += n;
+            r.m += m;
         }
 
         energy += r.energy;

@@ -66,17 +66,18 @@ void Foam::bondTangent::add
 
     const clumpBonds::bond& b = bonds[bi];
     const bondCoefficients& k = b.stiffness;
-    const bondCoefficients& c = damping.coefficients(bi);
+    const stepDamping::tangent damped(damping.derivative(bi, frame));
+    const bondCoefficients& c = damped.c;
     const Eigen::Vector3d dv(toEigen(frame.d()));
     const Matrix3d C(toEigen(frame.C()));
     const Matrix3d H(toEigen(frame.H()));
     const Matrix3d d(crossMatrix(dv));
-    const Matrix3d D
+    Matrix3d D
     (
         transverse(r.kAlong, geometric ? r.kAcross : max(r.kAcross, 0), r.t)
       + transverse(c.normal, c.tangential, damping.direction(bi))
     );
-    const Matrix3d S
+    Matrix3d S
     (
         transverse
         (
@@ -85,6 +86,18 @@ void Foam::bondTangent::add
             b.direction
         )
     );
+
+    // Damping that falls with the rate couples the strains: gamma.N psi
+    const bool thinning = damped.slope < 0;
+    Matrix3d N;
+    if (thinning)
+    {
+        const Eigen::Vector3d n(toEigen(damped.n));
+        const Eigen::Vector3d m(toEigen(damped.m));
+        D += damped.slope*n*n.transpose();
+        S += damped.slope*m*m.transpose();
+        N = damped.slope*n*m.transpose();
+    }
 
     // Second variation of the energy in the frame of the bond with respect to u
     // (relative displacement), s (mean rotation) and p (relative rotation):
@@ -103,6 +116,7 @@ void Foam::bondTangent::add
 
     Matrix3d sp(ss*C);
     Matrix3d pp(C.transpose()*sp + H*S*H);
+    Matrix3d up(us*C);
 
     if (geometric)
     {
@@ -117,7 +131,15 @@ void Foam::bondTangent::add
         sp += 0.5*(crossMatrix(toEigen(w))*C + g);
         pp += 0.5*(change + change.transpose());
     }
-    const Matrix3d up(us*C);
+    if (thinning)
+    {
+        const Matrix3d NH(N*H);
+        const Matrix3d sNH(-d*NH);
+        const Matrix3d twist(C.transpose()*sNH);
+        up += NH;
+        sp += sNH;
+        pp += twist + twist.transpose();
+    }
 
     // Rotations of the spheres: s is their mean, p their difference
     const Matrix3d R(toEigen(frame.R()));

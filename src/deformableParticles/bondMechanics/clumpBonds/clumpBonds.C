@@ -63,6 +63,7 @@ void Foam::clumpBonds::makeBonds(const dictionary& dict)
     (
         selectModel<dampingModel>(getDict(dict, "dampingModel"))
     );
+    thinning_ = damping->thinning();
 
     const pointField& x = type_.centres();
     const scalarField& r = type_.radii();
@@ -92,7 +93,20 @@ void Foam::clumpBonds::makeBonds(const dictionary& dict)
         );
         damped_ = damped_ || c.any();
 
-        bonds_[b] = {i, j, d/length, length, k, c, 0.5*(r[i] + r[j])};
+        scalar thinning = 0;
+        if (thinning_.active() && c.any())
+        {
+            if (!(c.normal > 0))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry 'dampingModel': the damping of bond " << b
+                    << " depends on the rate of strain, which needs a damping of the"
+                    << " stretch above 0." << exit(FatalIOError);
+            }
+            thinning = 1/(c.normal*sqr(length*thinning_.rate()));
+        }
+
+        bonds_[b] = {i, j, d/length, length, k, c, 0.5*(r[i] + r[j]), thinning};
     }
 }
 

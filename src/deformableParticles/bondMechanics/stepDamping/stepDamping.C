@@ -5,10 +5,11 @@
 
 #include "stepDamping.H"
 
-Foam::stepDamping::stepDamping(const List<clumpBonds::bond>& bonds)
+Foam::stepDamping::stepDamping(const clumpBonds& bonds)
 :
-    bonds_(bonds),
-    start_(bonds.size()),
+    clump_(bonds),
+    bonds_(bonds.bonds()),
+    start_(bonds_.size()),
     oneByDt_(-1)
 {}
 
@@ -60,11 +61,10 @@ void Foam::stepDamping::setStep(const scalar oneByDt)
 }
 
 
-void Foam::stepDamping::add
+Foam::stepDamping::linearPart Foam::stepDamping::linear
 (
     const label bondi,
-    const bondFrame& frame,
-    bondResponse& r
+    const bondFrame& frame
 ) const
 {
     const strains& start = start_[bondi];
@@ -72,18 +72,63 @@ void Foam::stepDamping::add
     const vector dd(frame.d() - start.d);
     const vector dPsi(frame.psi() - start.psi);
 
-    const vector n
-    (
-        bondResponse::transverse(c.normal, c.tangential, start.t, dd)
-    );
-    const vector m
-    (
+    return
+    {
+        dd,
+        dPsi,
+        bondResponse::transverse(c.normal, c.tangential, start.t, dd),
         bondResponse::transverse
         (
             c.torsional, c.bending, bonds_[bondi].direction, dPsi
         )
-    );
-    r.n += n;
-    r.m += m;
-    r.energy += 0.5*((n & dd) + (m & dPsi));
+    };
+}
+
+
+void Foam::stepDamping::add
+(
+    const label bondi,
+    const bondFrame& frame,
+    bondResponse& r
+) const
+{
+    const linearPart p(linear(bondi, frame));
+    const scalar thinning = bonds_[bondi].thinning;
+    if (thinning > 0)
+    {
+        const scalar s = thinning*oneByDt_*p.work();
+        const scalar g = clump_.thinning().factor(s);
+        r.n += g*p.n;
+        r.m += g*p.m;
+        r.energy += 0.5*clump_.thinning().mean(s)*p.work();
+    }
+    else
+    {
+        r.n += p.n;
+        r.m += p.m;
+        r.energy += 0.5*p.work();
+    }
+}
+
+
+Foam::stepDamping::tangent Foam::stepDamping::derivative
+(
+    const label bondi,
+    const bondFrame& frame
+) const
+{
+    tangent result{oneByH_[bondi], 0, Zero, Zero};
+    const scalar perWork = bonds_[bondi].thinning*oneByDt_;
+    if (perWork > 0)
+    {
+        const linearPart p(linear(bondi, frame));
+        const scalar s = perWork*p.work();
+        const scalar g = clump_.thinning().factor(s);
+        bondCoefficients& c = result.c;
+        c = {g*c.normal, g*c.tangential, g*c.bending, g*c.torsional};
+        result.slope = 2*perWork*clump_.thinning().slope(s);
+        result.n = p.n;
+        result.m = p.m;
+    }
+    return result;
 }

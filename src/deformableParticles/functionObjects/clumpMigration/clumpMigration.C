@@ -6,6 +6,7 @@
 #include "clumpMigration.H"
 #include "deformableCloud.H"
 #include "addToRunTimeSelectionTable.H"
+#include "foamCompat.H"
 #include "unitConversion.H"
 #include <cmath>
 #include <limits>
@@ -155,25 +156,29 @@ void Foam::functionObjects::clumpMigration::follow()
 {
     const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
 
-    List<labelList> ids(Pstream::nProcs());
-    List<labelList> types(Pstream::nProcs());
-    List<pointField> places(Pstream::nProcs());
-    const label proci = Pstream::myProcNo();
+    DynamicList<label> numbers;
+    DynamicList<label> typeIds;
+    DynamicList<point> centres;
     for (const clumpParcel& p : cloud)
     {
         if (clump_ < 0 || p.origId() == clump_)
         {
-            ids[proci].append(p.origId());
-            types[proci].append(p.typeId());
-            places[proci].append(p.unwrappedCentre(cloud.type(p)));
+            numbers.append(p.origId());
+            typeIds.append(p.typeId());
+            centres.append(p.unwrappedCentre(cloud.type(p)));
         }
     }
-    Pstream::gatherList(ids);
-    Pstream::scatterList(ids);
-    Pstream::gatherList(types);
-    Pstream::scatterList(types);
-    Pstream::gatherList(places);
-    Pstream::scatterList(places);
+
+    List<labelList> ids(Pstream::nProcs());
+    List<labelList> types(Pstream::nProcs());
+    List<pointField> places(Pstream::nProcs());
+    const label proci = Pstream::myProcNo();
+    ids[proci].transfer(numbers);
+    types[proci].transfer(typeIds);
+    places[proci].transfer(centres);
+    gatherToAll(ids);
+    gatherToAll(types);
+    gatherToAll(places);
 
     // Without those that have left
     std::map<label, follower> present;
@@ -187,11 +192,11 @@ void Foam::functionObjects::clumpMigration::follow()
             follower& f = present[id];
             if (old != followers_.end())
             {
-                f = old->second;
+                f = std::move(old->second);
             }
             else if (restarted != before_.end())
             {
-                f.path = restarted->second;
+                f.path = std::move(restarted->second);
             }
             f.type = cloud.types()[types[i][k]].name();
 

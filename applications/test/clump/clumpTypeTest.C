@@ -113,6 +113,27 @@ TEST_CASE("type: masses, buoyancy, bonds of the red blood cell", "[type][serial]
 }
 
 
+TEST_CASE("type: the weight is that of the nominal volume", "[type][serial]")
+{
+    dictionary dict(cellDict());
+    dict.set("nominalVolume", 94e-18);
+    const clumpType type("cell", dict);
+    CHECK
+    (
+        sum(type.excessMasses(1025, type.centres()))
+     == Approx((1098 - 1025)*94e-18).epsilon(1e-9)
+    );
+
+    // Without an entry that of the union; in a vacuum the mass
+    const clumpType plain("cell", cellDict());
+    CHECK
+    (
+        sum(plain.excessMasses(0, plain.centres()))
+     == Approx(plain.mass()).epsilon(1e-12)
+    );
+}
+
+
 TEST_CASE("type: full spheres weigh more than their union", "[type][serial]")
 {
     dictionary dict(cellDict());

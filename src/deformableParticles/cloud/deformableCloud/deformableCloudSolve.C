@@ -191,10 +191,7 @@ void Foam::deformableCloud::setSteadyForces
     {
         const timeBreakdown::timer t(timing_, "gravity");
         const scalar rho = hasFluid() ? fluidDensity() : 0;
-        ext.f +=
-        (
-            ct.masses() - rho*ct.volumes()*ct.relativeVolume(p.state().x)
-        )*g_;
+        ext.f += ct.excessMasses(rho, p.state().x)*g_;
     }
     if (hasFluid())
     {

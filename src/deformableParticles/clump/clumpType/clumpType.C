@@ -130,3 +130,16 @@ Foam::scalar Foam::clumpType::relativeVolume(const pointField& x) const
     vectorField grad(size());
     return sphereUnion::smoothVolume(x, radii_, grad)/smoothVolume_;
 }
+
+
+Foam::scalarField Foam::clumpType::excessMasses
+(
+    const scalar rho,
+    const pointField& x
+) const
+{
+    const scalarField excess(masses_ - rho*volumes_*relativeVolume(x));
+    return
+        nominalVolume_ == volume_
+      ? excess : scalarField(nominalVolume_/max(volume_, VSMALL)*excess);
+}

@@ -29,26 +29,36 @@ def select(**values):
 
 
 short = [r for r in rows if r["end"] < 10 and r["Re"] > 1 and r["held"] == "no"]
-base = next(r for r in short if r["shape"] == "duct" and (r["size"], r["Re"]) == (0.22, 50)
-            and (r["Courant"], r["frame"], r["cells"]) == (1, 0, 24) and r["sliding"] == "auto")
+
+
+def same(r):
+    """The run at a Courant number of 1 with walls at rest and a mesh that slides."""
+    keys = "shape", "size", "Re", "cells"
+    return next(s for s in short if (s["sliding"], s["scheme"]) == ("auto", "Euler")
+                and (s["Courant"], s["frame"]) == (1, 0) and all(s[k] == r[k] for k in keys))
+
+
+base = same({"shape": "duct", "size": 0.22, "Re": 50, "cells": 24})
 reference = drift(base)
 results.add("drift by clumpMigration", read(base["file"])[-1]["drift_m_s"]/base["U_m_s"], "U",
             reference, "5%", "difference of the places")
-fine = [r for r in short if r["cells"] == 36 and r["sliding"] == "auto"]
 for r in short:
     value = drift(r)
-    name = (f"drift, {r['size']:g} H, Re {r['Re']:g}, walls at {r['frame']:g} U, Courant "
-            f"{r['Courant']:g}, {r['size']*r['cells']:.1f} cells"
-            + ("" if r["sliding"] == "auto" else ", mesh at rest"))
+    name = (f"drift, {r['shape']}, {r['size']:g} H, Re {r['Re']:g}, walls at {r['frame']:g} U, "
+            f"Courant {r['Courant']:g}, {r['size']*r['cells']:.1f} cells"
+            + ("" if r["sliding"] == "auto" else ", mesh at rest")
+            + ("" if r["scheme"] == "Euler" else f", {r['scheme']}"))
     print(f"{name}: {value:.5f} U")
-    if r is base or (r["size"], r["Re"]) != (0.22, 50):
+    if r["shape"] == "plates":
+        inside = r["from"] < 0.3
+        results.add(f"{name}, from {r['from']:g} H: goes outwards", int(value > 0), "", int(inside),
+                    "0", "stays at 0.3 H: Vasseur and Cox 1976; Asmolov et al. 2018")
+    elif r is same(r) or r["scheme"] != "Euler":
         results.report(name, value, "U", "")
-    elif r["cells"] == 24 and r["sliding"] == "auto":
-        results.add(name, value, "U", reference, "5%", "walls at rest, Courant number 1")
-    elif r["cells"] == 24:
-        results.report(name, value, "U", "")
-    elif r["sliding"] == "off":
-        results.add(name, value, "U", drift(fine[0]), "10%", "the mesh that slides")
+    elif r["sliding"] == "auto":
+        results.add(name, value, "U", drift(same(r)), "5%", "walls at rest, Courant number 1")
+    elif r["cells"] == 36:
+        results.add(name, value, "U", drift(same(r)), "10%", "the mesh that slides")
     else:
         results.report(name, value, "U", "")
 for r in select(Re=0.02):
@@ -87,7 +97,8 @@ for r in select(held="yes"):
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4))
 for sliding, style in ("auto", "o-"), ("off", "s--"):
     points = sorted((r["Courant"], drift(r)) for r in short if r["sliding"] == sliding
-                    and (r["cells"], r["size"], r["Re"], r["frame"]) == (24, 0.22, 50, 0))
+                    and (r["cells"], r["size"], r["Re"], r["frame"]) == (24, 0.22, 50, 0)
+                    and (r["shape"], r["scheme"]) == ("duct", "Euler"))
     if points:
         left.plot(*zip(*points), style,
                   label="mesh slides" if sliding == "auto" else "mesh at rest")

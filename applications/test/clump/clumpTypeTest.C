@@ -267,6 +267,44 @@ TEST_CASE("ring: the volume of its union", "[ring][type][serial]")
 }
 
 
+TEST_CASE("ring: the volume of its hull", "[ring][type][serial]")
+{
+    // Slices across the axis: discs of the radius R + sqrt(r^2 - z^2)
+    for (const scalar r : {0.1, 0.45, 1.0, 3.0})
+    {
+        const label n = 20000;
+        scalar sum = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar z = r*(2*(i + 0.5)/n - 1);
+            sum += pi*sqr(1 + Foam::sqrt(sqr(r) - sqr(z)))*2*r/n;
+        }
+        CHECK(clumpShapes::ring::hullVolume(1, r) == Approx(sum).epsilon(1e-5));
+    }
+
+    // One radius for every N
+    for (const label n : {8, 10, 16})
+    {
+        const auto shape = clumpShapes::shape::New
+        (
+            dictOf
+            (
+                "type ring; nSpheres " + Foam::name(n) + ";"
+                "diameter 7.6e-6; hullVolume 94e-18;"
+            )
+        );
+        const scalar r = shape->radii()[0];
+        const scalar R = shape->centres()[0].x();
+        CHECK(R + r == Approx(3.8e-6).epsilon(1e-12));
+        CHECK
+        (
+            clumpShapes::ring::hullVolume(R, r) == Approx(94e-18).epsilon(1e-9)
+        );
+        CHECK(r == Approx(1.183e-6).epsilon(1e-3));
+    }
+}
+
+
 TEST_CASE("ring: a given volume for any N", "[ring][type][serial]")
 {
     const auto ringOf = [](const label n, const string& size)
@@ -311,6 +349,11 @@ TEST_CASE("ring: a given volume for any N", "[ring][type][serial]")
     CHECK_THROWS
     (
         ringOf(10, "diameter 7.82e-6; volume 94e-18; sphereRadius 1e-6;")
+    );
+    CHECK_THROWS(ringOf(10, "diameter 7.82e-6; hullVolume 251e-18;"));
+    CHECK_THROWS
+    (
+        ringOf(10, "diameter 7.82e-6; volume 94e-18; hullVolume 140e-18;")
     );
     CHECK_THROWS(ringOf(10, "diameter 7.82e-6; volume -94e-18;"));
     CHECK_THROWS(ringOf(10, "diameter 7.82e-6;"));

@@ -25,7 +25,10 @@ Foam::clumpShapes::ring::ring
     checkEntries
     (
         dict,
-        {"type", "nSpheres", "ringRadius", "diameter", "sphereRadius", "volume"},
+        {
+            "type", "nSpheres", "ringRadius", "diameter", "sphereRadius",
+            "volume", "hullVolume"
+        },
         derived
     );
 
@@ -107,6 +110,17 @@ Foam::scalar Foam::clumpShapes::ring::volume
 }
 
 
+Foam::scalar Foam::clumpShapes::ring::hullVolume
+(
+    const scalar R,
+    const scalar r
+)
+{
+    using constant::mathematical::pi;
+    return pi*r*(2*sqr(R) + pi*R*r + 4*sqr(r)/3);
+}
+
+
 Foam::scalar Foam::clumpShapes::ring::sphereRadius
 (
     const dictionary& dict,
@@ -116,24 +130,38 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
 {
     using constant::mathematical::pi;
 
-    if (!dict.found("volume"))
+    const wordList ways({"sphereRadius", "volume", "hullVolume"});
+    word given;
+    for (const word& way : ways)
+    {
+        if (dict.found(way) && !given.empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Give exactly one of " << flatOutput(ways) << '.'
+                << exit(FatalIOError);
+        }
+        if (dict.found(way))
+        {
+            given = way;
+        }
+    }
+    if (given.empty() || given == "sphereRadius")
     {
         return getPositive(dict, "sphereRadius");
     }
     if (disc)
     {
         FatalIOErrorInFunction(dict)
-            << "Only a ring has the entry 'volume'; give 'sphereRadius'."
-            << exit(FatalIOError);
-    }
-    if (dict.found("sphereRadius"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Give exactly one of 'sphereRadius' and 'volume'."
-            << exit(FatalIOError);
+            << "Only a ring has the entry '" << given
+            << "'; give 'sphereRadius'." << exit(FatalIOError);
     }
 
-    const scalar V = getPositive(dict, "volume");
+    const scalar V = getPositive(dict, given);
+    const auto volumeOf = [&](const scalar r)
+    {
+        const scalar R = radius(dict, r);
+        return given == "volume" ? volume(n, R, r) : hullVolume(R, r);
+    };
 
     // Upper limit: the radius of a single sphere with this volume
     scalar high = Foam::cbrt(0.75*V/pi);
@@ -143,7 +171,7 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
         if (high >= largest)
         {
             FatalIOErrorInFunction(dict)
-                << "Entry 'volume' is " << V << "; it must be below "
+                << "Entry '" << given << "' is " << V << "; it must be below "
                 << 4*pi/3*pow3(largest) << ", the volume of a sphere with the"
                 << " diameter of the ring." << exit(FatalIOError);
         }
@@ -153,7 +181,7 @@ Foam::scalar Foam::clumpShapes::ring::sphereRadius
     for (label k = 0; k < 100 && high - low > 1e-15*high; ++k)
     {
         const scalar r = 0.5*(low + high);
-        (volume(n, radius(dict, r), r) < V ? low : high) = r;
+        (volumeOf(r) < V ? low : high) = r;
     }
     return 0.5*(low + high);
 }

@@ -45,14 +45,53 @@ IOdictionary readProperties(const fvMesh& mesh)
 }
 
 
-//- With present names. Other entries of the file are the user's own, to be referred
-//  to
+//- The models of a case that does not choose others
+dictionary accurateModels()
+{
+    IStringStream is
+    (
+        "integrator { type implicitEuler; tolerance 1e-6; maxIterations 100; }"
+        "rotation { type wholeClump; }"
+        "couplingScheme { type robin; }"
+        "immersedBoundary"
+        "{"
+        "    solidFraction { type signedDistance; }"
+        "    forcing { type sharp; }"
+        "    hydrodynamicForce { type momentumExchange; }"
+        "    interiorDilation yes;"
+        "}"
+    );
+    return dictionary(is);
+}
+
+
+//- Add the entries that dict lacks, whole models and not parts of them
+void complete(dictionary& dict, const dictionary& usual)
+{
+    for (const entry& e : usual)
+    {
+        dictionary* given = dict.findDict(e.keyword(), keyType::LITERAL);
+        if (given && e.isDict() && !e.dict().found("type"))
+        {
+            complete(*given, e.dict());
+        }
+        else if (!dict.found(e.keyword()))
+        {
+            dict.add(e);
+        }
+    }
+}
+
+
+//- With present names, and with the accurate models where there are none. Other
+//  entries of the file are the user's own, to be referred to
 dictionary presentEntries(const dictionary& dict)
 {
-    const dictionary result
+    dictionary result
     (
         withPresentNames(dict, {{"exchange", "couplingScheme"}})
     );
+    complete(result, accurateModels());
     refuseMisspelt
     (
         result,
@@ -60,7 +99,7 @@ dictionary presentEntries(const dictionary& dict)
             "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "lubrication", "aggregation", "loads", "effects",
             "rotation", "couplingScheme", "immersedBoundary", "openPatches",
-            "typesMayChange", "accuracyLevel"
+            "typesMayChange", "accuracyLevel", "rho"
         }
     );
     return result;

@@ -30,7 +30,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     radii_ = geometry->radii();
     pairs_ = geometry->bonds();
 
-    const word motion(dict.get<word>("motion"));
+    const word motion(dict.getOrDefault<word>("motion", "free"));
     if (motion != "free" && motion != "fixed")
     {
         FatalIOErrorInLookup
@@ -55,7 +55,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 
 void Foam::clumpType::setMasses(const dictionary& dict)
 {
-    const word massModel(dict.get<word>("massModel"));
+    const word massModel(dict.getOrDefault<word>("massModel", "union"));
 
     volume_ = sphereUnion::volume(centres_, radii_);
 

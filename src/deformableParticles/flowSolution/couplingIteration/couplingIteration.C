@@ -44,7 +44,7 @@ Foam::couplingIteration::couplingIteration
     {
         return;
     }
-    const dictionary& dict = flow.control().dict();
+    const dictionary dict(flow.control().dict());
     const label depth = dict.getOrDefault<label>("andersonDepth", 0);
 
     tolerance_ = dict.getOrDefault<scalar>("couplingTolerance", 0);

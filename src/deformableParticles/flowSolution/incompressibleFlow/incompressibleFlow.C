@@ -46,7 +46,7 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
     getNonNegativeOrDefault(dict, "couplingTolerance", 0);
     if
     (
-        dict.getOrDefault<Switch>("carryPressure", false)
+        dict.getOrDefault<Switch>("carryPressure", true)
      && dict.getOrDefault<Switch>("extrapolatePressure", false)
     )
     {
@@ -204,7 +204,8 @@ Foam::incompressibleFlow::incompressibleFlow
 (
     fvMesh& mesh,
     const bool present,
-    const bool solved
+    const bool solved,
+    const bool iterates
 )
 :
     solved_(present && solved),
@@ -217,8 +218,11 @@ Foam::incompressibleFlow::incompressibleFlow
     {
         return;
     }
-    control_.reset(new outerCorrectors(mesh));
-    check(getDict(mesh.solutionDict(), "PISO"));
+    check
+    (
+        mesh.solutionDict().subOrEmptyDict(outerCorrectors::dictionaryName(mesh))
+    );
+    control_.reset(new outerCorrectors(mesh, iterates));
 
     readFields(mesh);
     startFields(mesh);
@@ -237,16 +241,16 @@ Foam::incompressibleFlow::incompressibleFlow
                 *p_, control_->dict(), control_->nCorrPIMPLE()
             )
         );
-        if (control_->dict().getOrDefault<Switch>("carryPressure", false))
+        if (control_->dict().getOrDefault<Switch>("carryPressure", true))
         {
             carried_.reset(new carriedPressure(*p_, pRefCell_));
         }
-        if (control_->dict().getOrDefault<Switch>("wallMobility", false))
+        if (control_->dict().getOrDefault<Switch>("wallMobility", true))
         {
             mobility_.reset(new wallMobility(*U_));
         }
         scalesCorrection_ =
-            control_->dict().getOrDefault<Switch>("scaleCorrection", false);
+            control_->dict().getOrDefault<Switch>("scaleCorrection", true);
     }
 }
 

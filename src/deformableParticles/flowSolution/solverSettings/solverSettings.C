@@ -5,6 +5,7 @@
 
 #include "solverSettings.H"
 #include "checkedEntries.H"
+#include "outerCorrectors.H"
 #include "ddtScheme.H"
 #include "gradScheme.H"
 #include "LduMatrix.H"
@@ -83,8 +84,18 @@ void checkSolver
 }
 
 
-//- Those of the field and of the last corrector
-const word endings[] = {"", "Final"};
+//- Settings of the field, and of its final iteration where there are any
+template<class Field>
+wordList namesOf(const Field& field)
+{
+    wordList result({field.name()});
+    const word last(field.name() + "Final");
+    if (outerCorrectors::solverGiven(field.mesh(), last))
+    {
+        result.append(last);
+    }
+    return result;
+}
 
 }
 
@@ -92,11 +103,11 @@ const word endings[] = {"", "Final"};
 void Foam::solverSettings::check(const volScalarField& p)
 {
     const fvMesh& mesh = p.mesh();
-    for (const word& ending : endings)
+    for (const word& name : namesOf(p))
     {
         checkSolver
         (
-            mesh.solverDict(p.name() + ending),
+            mesh.solverDict(name),
             *lduMatrix::solver::symMatrixConstructorTablePtr_,
             *lduMatrix::smoother::symMatrixConstructorTablePtr_,
             *lduMatrix::preconditioner::symMatrixConstructorTablePtr_
@@ -109,9 +120,9 @@ void Foam::solverSettings::check(const volScalarField& p)
 void Foam::solverSettings::check(const volVectorField& U)
 {
     const fvMesh& mesh = U.mesh();
-    for (const word& ending : endings)
+    for (const word& name : namesOf(U))
     {
-        const dictionary& dict = mesh.solverDict(U.name() + ending);
+        const dictionary& dict = mesh.solverDict(name);
         if (dict.getOrDefault<word>("type", "segregated") == "segregated")
         {
             checkSolver

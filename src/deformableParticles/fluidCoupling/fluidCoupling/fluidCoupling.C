@@ -46,7 +46,7 @@ Foam::fluidCoupling::fluidCoupling
     rho_(0),
     mu_(0)
 {
-    readFluid();
+    readFluid(clumpProperties);
 
     if (!feedback)
     {
@@ -77,7 +77,7 @@ Foam::fluidCoupling::fluidCoupling
 }
 
 
-void Foam::fluidCoupling::readFluid()
+void Foam::fluidCoupling::readFluid(const dictionary& clumpProperties)
 {
     const IOdictionary fluid
     (
@@ -87,7 +87,17 @@ void Foam::fluidCoupling::readFluid()
             IOobject::MUST_READ, IOobject::NO_WRITE, false
         )
     );
-    rho_ = getPositive(fluid, "rho", dimDensity);
+    if (!fluid.found("rho") && !clumpProperties.found("rho"))
+    {
+        FatalIOErrorInFunction(fluid)
+            << "The density of the fluid is needed for the forces on the clumps: add"
+            << " 'rho' [kg/m3] here or to constant/clumpProperties."
+            << exit(FatalIOError);
+    }
+    rho_ = getPositive
+    (
+        fluid.found("rho") ? fluid : clumpProperties, "rho", dimDensity
+    );
     if (fluid.found("nu"))
     {
         // The viscosity models take any sign

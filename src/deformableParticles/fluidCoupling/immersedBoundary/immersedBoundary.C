@@ -40,7 +40,7 @@ Foam::immersedBoundary::immersedBoundary
     (
         selectModel<hydrodynamicForceModel>(getDict(dict, "hydrodynamicForce"))
     ),
-    dilates_(dict.get<bool>("interiorDilation")),
+    dilates_(dict.getOrDefault("interiorDilation", true)),
     solidFraction_
     (
         IOobject

@@ -21,8 +21,8 @@ namespace couplingSchemes
 Foam::couplingSchemes::robin::robin(const dictionary& dict)
 :
     coefficient_(0),
-    deflates_(dict.getOrDefault("deflateRigidMotion", false)),
-    turns_(dict.getOrDefault("turnVelocities", false))
+    deflates_(dict.getOrDefault("deflateRigidMotion", true)),
+    turns_(dict.getOrDefault("turnVelocities", true))
 {
     const dictionary entries
     (
@@ -33,7 +33,7 @@ Foam::couplingSchemes::robin::robin(const dictionary& dict)
         entries,
         {"type", "coefficient", "deflateRigidMotion", "turnVelocities"}
     );
-    coefficient_ = getNonNegative(entries, "coefficient");
+    coefficient_ = getNonNegativeOrDefault(entries, "coefficient", 1);
 }
 
 

@@ -1,0 +1,112 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "outerCorrectors.H"
+#include "foamCompat.H"
+#include "Switch.H"
+
+constexpr Foam::label Foam::outerCorrectors::usualNumber;
+constexpr Foam::scalar Foam::outerCorrectors::usualTolerance;
+
+Foam::word Foam::outerCorrectors::dictionaryName(const fvMesh& mesh)
+{
+    const dictionary& fvSolution = mesh.solutionDict();
+    return
+        fvSolution.found("PIMPLE") && !fvSolution.found("PISO")
+      ? "PIMPLE" : "PISO";
+}
+
+
+bool Foam::outerCorrectors::solverGiven
+(
+    const fvMesh& mesh,
+    const word& field
+)
+{
+    return
+        mesh.solutionDict().subOrEmptyDict("solvers").found
+        (
+            field, keyType::REGEX
+        );
+}
+
+
+Foam::outerCorrectors::outerCorrectors(fvMesh& mesh, const bool iterates)
+:
+    pimpleControl(mesh, dictionaryName(mesh), false),
+    iterates_(iterates),
+    finalPressure_(solverGiven(mesh, "pFinal")),
+    finalVelocity_(solverGiven(mesh, "UFinal"))
+{
+    read();
+    report();
+}
+
+
+void Foam::outerCorrectors::report() const
+{
+    const dictionary given(pimpleControl::dict());
+    const label n = given.getOrDefault<label>("nOuterCorrectors", 0);
+
+    if (n > 0 && n < nCorrPIMPLE_)
+    {
+        Info<< algorithmName_ << ": nOuterCorrectors " << n << " is raised to "
+            << nCorrPIMPLE_ << ", which end at couplingTolerance "
+            << usualTolerance << ", because flow and clumps are iterated until"
+            << " they agree. For exactly " << n
+            << " of them give couplingTolerance 0" << nl << endl;
+    }
+}
+
+
+const Foam::dictionary Foam::outerCorrectors::dict() const
+{
+    dictionary result(pimpleControl::dict());
+
+    result.add("consistent", Switch(true));
+    if (!iterates_)
+    {
+        return result;
+    }
+    result.add("andersonDepth", 4);
+
+    const label n =
+        result.getOrDefault<label>("nOuterCorrectors", usualNumber);
+    if (result.found("couplingTolerance"))
+    {
+        result.add("nOuterCorrectors", usualNumber);
+    }
+    else
+    {
+        result.set("nOuterCorrectors", max(n, usualNumber));
+        result.set("couplingTolerance", usualTolerance);
+    }
+    return result;
+}
+
+
+bool Foam::outerCorrectors::loop()
+{
+    const bool goesOn = pimpleControl::loop();
+    if (!finalVelocity_)
+    {
+        endFinalIteration(mesh_);
+    }
+    return goesOn;
+}
+
+
+void Foam::outerCorrectors::end()
+{
+    corr_ = 0;
+    converged_ = false;
+    endFinalIteration(mesh_);
+}
+
+
+bool Foam::outerCorrectors::finalPressure() const
+{
+    return finalPressure_ && finalInnerIter();
+}

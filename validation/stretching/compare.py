@@ -4,7 +4,7 @@ import re
 
 from results import Results, plt, read, save, write_table
 
-SIZES = [8, 10, 16]
+SIZES = [8, 10, 12, 16]
 POPULATIONS = {"healthy": "healthy", "ringStage": "ring stage", "trophozoite": "trophozoite",
                "schizont": "schizont"}
 SURESH = "Suresh et al. 2005"
@@ -51,16 +51,11 @@ data = []
 for case, name in POPULATIONS.items():
     for row in residuals(case + ".evaluated"):
         data.append([name, SIZES[row[0]], *row[1:]])
-    out.add(f"{name}: largest residual, N = 8, 10, 16, one set", worst(case + ".evaluated"),
+    out.add(f"{name}: largest residual, N = 8, 10, 12, 16, one set", worst(case + ".evaluated"),
             "error bars", 0, 0.8, SURESH)
 
-    out.add(f"{name}: largest difference between N = 8, 10 and 16", spread(curve(case))[0], "%", 0,
+    out.add(f"{name}: largest difference between N = 8, 10, 12 and 16", spread(curve(case))[0], "%", 0,
             5, "each other")
-
-    volumes = [1e18*float(v) for v in found(r"volume \[m3\] (.*)", f"log.{case}").split()]
-    out.add(f"{name}: volume, N of the largest deviation",
-            max(volumes, key=lambda v: abs(v - VOLUME)), "um3", VOLUME,
-            "0.1%", "Evans & Fung 1972")
 
     unstable = int(found(r"unstable states (\d+)", f"log.{case}"))
     out.add(f"{name}: states that buckle", unstable, "-", 0, 0, "second variation of the energy")
@@ -80,28 +75,33 @@ for case, name in POPULATIONS.items():
 out.add("healthy set against an independent experiment", worst("mills.evaluated"), "error bars", 0,
         1.0,
         "Mills et al. 2004")
-out.add("geometry of the paper, its own set: largest residual, N = 8, 10, 16",
+volumes = [1e18*float(v) for v in found(r"volume \[m3\] (.*)", "log.unionHealthy").split()]
+out.add("union of 94 um3: volume, N of the largest deviation",
+        max(volumes, key=lambda v: abs(v - VOLUME)), "um3", VOLUME, "0.1%", "Evans & Fung 1972")
+out.add("union of 94 um3, its own set: largest residual, N = 8, 10, 12, 16",
+        worst("unionHealthy.evaluated"), "error bars", 0, 0.8, SURESH)
+out.add("geometry of the paper, its own set: largest residual, N = 8, 10, 12, 16",
         worst("paperHealthy.evaluated"),
         "error bars", 0, 0.8, SURESH)
 if os.path.exists("conserved-5e-5.fit"):
     out.add("healthy, area modulus 50 uN/m, fitted anew: largest residual",
             worst("conserved-5e-5.fit"), "error bars", 0,
             0.8, SURESH)
-for case in ("mills", "paperHealthy", "printed", *("conserved-" + m for m in MODULI)):
+for case in ("mills", "unionHealthy", "paperHealthy", "printed", *("conserved-" + m for m in MODULI)):
     for row in residuals(case + ".evaluated"):
         data.append([case, SIZES[row[0]], *row[1:]])
 print("Largest residual of the printed law", worst("printed.evaluated"))
-print("areaModulus [N/m], largest residual [error bars], for N = 8, 10, 16, unstable states")
+print("areaModulus [N/m], largest residual [error bars], for N = 8, 10, 12, 16, unstable states")
 for m, case in (("0", "healthy"), *((m, "conserved-" + m) for m in MODULI)):
     single = [max(abs(row[-1]) for row in residuals(case + ".evaluated") if row[0] == v)
-              for v in range(3)]
+              for v in range(len(SIZES))]
     print(m, worst(case + ".evaluated"), *single, found(r"unstable states (\d+)", "log." + case))
 write_table("data.csv", ["population", "N", "quantity", "force_pN", "measured_um", "error_um", "z"],
             data)
 
 # Figure
 fig, axes = plt.subplots(2, 3, figsize=(12, 6.8), squeeze=False)
-styles = {8: ":", 10: "-", 16: "--"}
+styles = {8: ":", 10: "-", 12: "-.", 16: "--"}
 colours = {"axial": "C3", "transverse": "C0"}
 
 

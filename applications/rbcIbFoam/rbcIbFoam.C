@@ -59,7 +59,8 @@ int main(int argc, char* argv[])
     #define NO_CONTROL
     #include "postProcess.H"
     #include "setRootCase.H"
-    Info<< "Create time" << nl << endl;
+    Info<< "deformableParticles " << DEFORMABLE_PARTICLES_VERSION << nl << nl
+        << "Create time" << nl << endl;
     completeTime runTime(args);
     #include "createDynamicFvMesh.H"
     runTime.need("phi", "U");

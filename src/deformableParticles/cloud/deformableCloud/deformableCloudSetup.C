@@ -5,6 +5,7 @@
 
 #include "deformableCloud.H"
 #include "accuracyLevel.H"
+#include "anyNumber.H"
 #include "clumpFields.H"
 #include "clumpInjector.H"
 #include "FlatOutput.H"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpFields.H"
+#include "anyNumber.H"
 #include "Cloud.H"
 #include "compactFieldReader.H"
 #include "compactFieldWriter.H"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "incompressibleFlow.H"
+#include "anyNumber.H"
 #include "checkedEntries.H"
 #include "findRefCell.H"
 #include "fvcFlux.H"

@@ -5,14 +5,12 @@
 
 #include "completeTime.H"
 #include "endSignal.H"
-#include "cutShort.H"
-#include "foamCompat.H"
-#include "IOdictionary.H"
 #include "logBuffer.H"
 #include "OFstream.H"
+#include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "timeDirectories.H"
-#include "writeTrial.H"
+#include "writtenFiles.H"
 #include <csignal>
 
 namespace
@@ -34,26 +32,6 @@ const argList& setIncompleteAside(const argList& args)
     }
     return args;
 }
-
-//- While an object of this class lives, all digits of a number are written
-class exactNumbers
-{
-    const unsigned precision_;
-
-public:
-
-    explicit exactNumbers(const bool wanted)
-    :
-        precision_(IOstream::defaultPrecision())
-    {
-        if (wanted)
-        {
-            IOstream::defaultPrecision(max(precision_, 17u));
-        }
-    }
-
-    ~exactNumbers() { IOstream::defaultPrecision(precision_); }
-};
 
 
 //- Do what writes, and return what went wrong
@@ -104,14 +82,17 @@ Foam::fileName Foam::completeTime::directory() const
 }
 
 
+bool Foam::completeTime::isMine() const
+{
+    const auto first = [](const fileName& a, const fileName&) { return a; };
+    return returnReduce(marked_, first) != marked_ || Pstream::master();
+}
+
+
 void Foam::completeTime::markDirectory() const
 {
     marked_ = directory();
-
-    // Of processors that share it (collated) the first one makes it
-    fileName shared(marked_);
-    masterToAll(shared);
-    const bool mine = Pstream::master() || marked_ != shared;
+    const bool mine = isMine();
 
     // A new one gets its name when the mark is in it
     const bool fresh = !isDir(marked_);
@@ -125,8 +106,7 @@ void Foam::completeTime::markDirectory() const
         mkDir(mark(made).path()/"functionObjects");
         OFstream os(mark(made));
         os  << "This time directory is incomplete: it is being written, or the"
-            << " run was interrupted while writing it. rbcIbFoam removes it at"
-            << " the next start.";
+            << " run was interrupted while writing it. The next run removes it.";
         IOobject::writeEndDivider(os).flush();
 
         if (!os.good() || (fresh && !mv(made, marked_)))
@@ -173,32 +153,8 @@ void Foam::completeTime::readDict()
 }
 
 
-Foam::completeTime::completeTime(const argList& args)
-:
-    Time(Time::controlDictName, (anyNumber(), setIncompleteAside(args))),
-    last_(timeName()),
-    keep_(0),
-    writes_(true),
-    anyNumber_(new anyNumber),
-    firstStart_(startTime_),
-    firstStartFile_
-    (
-        IOobject
-        (
-            "firstStart", timeName(), "uniform", *this,
-            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
-        )
-    )
+void Foam::completeTime::removeIncomplete() const
 {
-    Info<< "deformableParticles " << DEFORMABLE_PARTICLES_VERSION << nl << endl;
-    takePurge();
-
-    // A file above the shell's limit (ulimit -f) fails, and does not kill
-    std::signal(SIGXFSZ, SIG_IGN);
-    endSignal::install();
-
-    logBuffer::install();
-
     const fileNameList here(folders(path(), globalPath()));
     const wordList names(incomplete(here));
     for (const word& name : names)
@@ -235,13 +191,16 @@ Foam::completeTime::completeTime(const argList& args)
             << " continuing from " << last_ << nl
             << endl;
     }
+}
 
-    refuseUncopied(*this);
+
+void Foam::completeTime::checkState() const
+{
     const fileName uniform(timePath()/"uniform");
     if (isFile(uniform/"time"))
     {
         // OpenFOAM takes from these files what it finds
-        const fileName file(cutShort::first(uniform));
+        const fileName file(writtenFiles::firstTruncated(uniform));
         if (!file.empty())
         {
             FatalErrorInFunction
@@ -251,11 +210,41 @@ Foam::completeTime::completeTime(const argList& args)
     else if (isFile(timePath()/"phi"))
     {
         WarningInFunction
-            << "There is no file " << uniform/"time" << ". Fields and clumps"
-            << " continue from " << timePath() << ", but the steps are"
-            << " counted from zero." << endl;
+            << "There is no file " << uniform/"time" << ". The run continues from "
+            << timePath() << ", but the steps are counted from zero." << endl;
     }
     need("uniform/time");
+}
+
+
+Foam::completeTime::completeTime(const argList& args)
+:
+    Time(Time::controlDictName, (anyNumber(), setIncompleteAside(args))),
+    last_(timeName()),
+    keep_(0),
+    writes_(true),
+    anyNumber_(new anyNumber),
+    firstStart_(startTime_),
+    firstStartFile_
+    (
+        IOobject
+        (
+            "firstStart", timeName(), "uniform", *this,
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        )
+    )
+{
+    takePurge();
+
+    // A file above the shell's limit (ulimit -f) fails, and does not kill
+    std::signal(SIGXFSZ, SIG_IGN);
+    endSignal::install();
+
+    logBuffer::install();
+
+    removeIncomplete();
+    refuseUncopied(*this);
+    checkState();
 
     // The time to the last bit: the name of its directory has fewer digits
     const IOdictionary state
@@ -339,7 +328,7 @@ void Foam::completeTime::startLoop(const List<double>& sizes) const
     {
         return;
     }
-    const string error(writeTrial::attempt(directory().path(), sizes));
+    const string error(writtenFiles::trial(directory().path(), sizes));
     if (!error.empty())
     {
         FatalErrorInFunction
@@ -368,7 +357,7 @@ void Foam::completeTime::need(const word& file, const word& beside) const
      && (beside.empty() || isFile(start/beside));
     reduce(written, orOp<bool>());
     const bool found = isFile(start/file);
-    if (written && !(found && cutShort::whole(start/file)))
+    if (written && !(found && writtenFiles::complete(start/file)))
     {
         FatalErrorInFunction
             << "file " << start/file
@@ -385,7 +374,7 @@ void Foam::completeTime::finish() const
     if (!marked_.empty())
     {
         const double begun = highResLastModified(mark(marked_));
-        const fileName file(cutShort::first(marked_, begun));
+        const fileName file(writtenFiles::firstTruncated(marked_, begun));
         if (!file.empty())
         {
             refuse(file + " is truncated");
@@ -414,10 +403,7 @@ void Foam::completeTime::writeAside(const word& ending)
     writeNow();
     returnReduce(true, andOp<bool>());
 
-    // Of processors that share the directory (collated) the first one moves it
-    fileName shared(marked_);
-    masterToAll(shared);
-    if (Pstream::master() || marked_ != shared)
+    if (isMine())
     {
         const fileName moved(marked_ + '.' + ending);
         rm(mark(marked_));
@@ -477,14 +463,20 @@ bool Foam::completeTime::write(const bool valid) const
         markDirectory();
     }
 
-    bool good = false;
-    refuse(attempt([&]()
+    const unsigned digits = IOstream::defaultPrecision();
+    if (writeFormat() == IOstream::BINARY)
     {
-        const exactNumbers digits(writeFormat() == IOstream::BINARY);
+        IOstream::defaultPrecision(max(digits, 17u));
+    }
+    bool good = false;
+    const string error(attempt([&]()
+    {
         good = Time::write(valid);
         fileHandler().flush();
     }));
+    IOstream::defaultPrecision(digits);
 
+    refuse(error);
     if (!good)
     {
         refuse("a file in " + marked_);

@@ -4,10 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "timeDirectories.H"
-#include "foamCompat.H"
 #include "HashSet.H"
 #include "OSspecific.H"
 #include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 
 Foam::fileName Foam::timeDirectories::mark(const fileName& directory)
@@ -45,7 +45,7 @@ Foam::fileNameList Foam::timeDirectories::folders
 
 Foam::wordList Foam::timeDirectories::incomplete(const fileNameList& here)
 {
-    List<wordList> found(Pstream::nProcs());
+    wordList found;
     for (const fileName& folder : here)
     {
         for (const fileName& name : readDir(folder, fileName::DIRECTORY))
@@ -59,18 +59,12 @@ Foam::wordList Foam::timeDirectories::incomplete(const fileNameList& here)
              && (isAside || isFile(mark(folder/name)))
             )
             {
-                found[Pstream::myProcNo()].append(word(time));
+                found.append(word(time));
             }
         }
     }
-    gatherToAll(found);
-
-    wordHashSet names;
-    for (const wordList& part : found)
-    {
-        names.insert(part);
-    }
-    return names.sortedToc();
+    const auto both = [](wordList a, const wordList& b) { a.append(b); return a; };
+    return wordHashSet(returnReduce(found, both)).sortedToc();
 }
 
 

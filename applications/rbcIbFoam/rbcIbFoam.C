@@ -159,7 +159,6 @@ int main(int argc, char* argv[])
             if (flow.solved())
             {
                 fvOptions.correct(U);
-                flow.endStep();
             }
 
             // --- Clumps

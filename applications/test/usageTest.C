@@ -92,9 +92,8 @@ void run(const fileName& folder, const Args&... args)
         }
     }
 
-    // Every family has two models at least
     INFO(src/folder);
-    CHECK(n >= 2);
+    CHECK(n >= 1);
 }
 
 }

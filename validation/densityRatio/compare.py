@@ -27,8 +27,7 @@ for run in settling:
                     "Archimedes")
     else:
         results.add(f"terminal velocity at density ratio {ratio:g}, step 1e-4, {run['outer']:g} "
-                    f"outer correctors"
-                    + (", pressure extrapolated" if run["extrapolated"] == "yes" else ""),
+                    f"outer correctors",
                     velocity, "m/s", last_quarter(fine[ratio]), "0.1%" if ratio <= 8 else "1%",
                     "step 1e-5")
 

@@ -96,8 +96,7 @@ for resolution in sorted({r["D_dx"] for r in stiff}):
           f"{deviation(rates):.1f} 1/s over"
           f" {len(rates)} places, {min(rates):.1f} to {max(rates):.1f}")
 
-kinds = {"aside": "", "asideTight": ", ten outer correctors, tight",
-         "asideExtrapolated": ", pressure extrapolated"}
+kinds = {"aside": "", "asideTight": ", ten outer correctors, tight"}
 for run in runs:
     if run["test"] == "rest":
         results.add("drift of a cell at rest / D per step", run["rate"]*run["deltaT_s"]/outer, "-",

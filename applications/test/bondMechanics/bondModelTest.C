@@ -34,8 +34,7 @@ TEST_CASE("bond models: the axial law is the gradient of its energy", "[bonds][s
     (
         "type elastic;",
         "type timoshenko;",
-        "type strainStiffening; stiffening 1.5;",
-        "type wormLikeChain; restExtension 0.45;"
+        "type strainStiffening; stiffening 1.5;"
     );
     const auto model(modelOf(text));
     const scalar length = 0.7;
@@ -48,7 +47,6 @@ TEST_CASE("bond models: the axial law is the gradient of its energy", "[bonds][s
     CHECK(mag(rest.energy) < 1e-14);
     CHECK(rest.tangent == Approx(Kn).epsilon(1e-12));
 
-    // Far beyond the worm-like chain's contour length, too
     for (const scalar a : {-0.69, -0.4, -0.01, 0.02, 0.3, 0.8, 2.0, 10.0})
     {
         const auto plus(model->axial(a + h, length, Kn));

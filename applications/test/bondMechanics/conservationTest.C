@@ -8,7 +8,6 @@
 #include "compression.H"
 #include "enclosedArea.H"
 #include "mathematicalConstants.H"
-#include "enclosedVolume.H"
 #include "equilibrium.H"
 #include "bondForces.H"
 #include "sphereUnion.H"
@@ -36,21 +35,13 @@ dictionary shellDict(const string& conservation)
 
 TEST_CASE("conservation: gradients, net force and torque", "[conservation][serial]")
 {
-    const clumpType ring("cell", cellDict());
-    const clumpType shell("shell", shellDict(""));
-    const bool area = GENERATE(true, false);
-    const clumpType& type = area ? ring : shell;
+    const clumpType type("cell", cellDict());
 
     const autoPtr<conservationModel> model
     (
         selectModel<conservationModel>
         (
-            dictOf
-            (
-                area
-              ? "type enclosedArea; areaModulus 1e-4;"
-              : "type enclosedVolume; volumeModulus 100;"
-            ),
+            dictOf("type enclosedArea; areaModulus 1e-4;"),
             type.centres(),
             type.radii()
         )
@@ -81,61 +72,6 @@ TEST_CASE("conservation: gradients, net force and torque", "[conservation][seria
             CHECK(mag(slope - grad[i][c]) < 1e-6*max(mag(grad)));
         }
     }
-}
-
-
-TEST_CASE("conservation: the volume of a shell", "[conservation][serial]")
-{
-    const bondedClump held
-    (
-        "shell",
-        shellDict("conservationModel { type enclosedVolume; volumeModulus 1000; }")
-    );
-    const clumpType& type = held.type;
-    const conservationModels::enclosedVolume model
-    (
-        dictOf("volumeModulus 1;"), type.centres(), type.radii()
-    );
-
-    // 42 corners: 80 triangles inside the sphere, whose volume is V0 = k/stiffness
-    CHECK(model.triangles().size() == 80);
-    const scalar sphere = 4.0/3.0*constant::mathematical::pi*pow3(3e-6);
-    CHECK(1/model.stiffness() < sphere);
-    CHECK(1/model.stiffness() > 0.85*sphere);
-
-    // Pulled, a free shell gains or loses volume; a held one changes ten times less
-    const bondedClump loose("shell", shellDict(""));
-    const vector pull(5e-11, 0, 0);
-    const auto change = [&](const bondedClump& c)
-    {
-        clumpState s(c.type);
-        REQUIRE
-        (
-            equilibrium().find
-            (
-                c.bonds, equilibrium::stretch(c.type, pull), s
-            )
-        );
-        vectorField grad(c.type.size());
-        return mag(model.deviation(s.x, grad))*model.stiffness();
-    };
-    CHECK(change(held) < 0.1*change(loose));
-
-    CHECK_THROWS
-    (
-        bondedClump
-        (
-            "flat",
-            dictOf
-            (
-                "shape { type ring; nSpheres 10; ringRadius 1; sphereRadius 1; }"
-                "density 1; massModel union; motion free;"
-                "bondModel { type elastic; rigidities { normal 1; tangential 1;"
-                " bending 1; torsional 1; } } dampingModel { type none; }"
-                "conservationModel { type enclosedVolume; volumeModulus 1; }"
-            )
-        )
-    );
 }
 
 

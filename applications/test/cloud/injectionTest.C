@@ -325,30 +325,8 @@ TEST_CASE("injection: a restart goes on as the whole run", "[injection]")
 }
 
 
-TEST_CASE("injection: a clump of a list waits for its place", "[injection]")
+TEST_CASE("injection: wrong entries are refused", "[injection]")
 {
-    const string ball("{ type ball; velocity (0 0 0); time ");
-    device d
-    (
-        "type timedList; clumps ("
-      + ball + "0; position (5e-6 5e-6 5e-6); }"
-      + ball + "0; position (6e-6 5e-6 5e-6); }"
-      + ball + "1e3; position (9e-6 5e-6 5e-6); } );"
-    );
-    CHECK(d.step() == 1);
-    CHECK(d.step() == 0);
-    CHECK(d.source->nWaiting() == 1);
-
-    d.clumps->clear();
-    CHECK(d.step() == 1);
-    CHECK(d.source->nWaiting() == 0);
-    CHECK(d.step() == 0);
-
-    // Outside the mesh, and of a type that is not there
-    CHECK_THROWS
-    (
-        device("type timedList; clumps (" + ball + "0; position (5 0 0); });")
-    );
     CHECK_THROWS(device(rateOf(1, "clumpType bull;")));
     CHECK_THROWS(device(rateOf(1, "clumpType ball;").replace("velocity", "speed")));
     CHECK_THROWS(device(rateOf(1, "clumpType ball;").replace("inlet", "walls")));

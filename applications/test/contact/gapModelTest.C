@@ -25,22 +25,13 @@ autoPtr<gapModel> film(const string& more = "")
     );
 }
 
-autoPtr<gapModel> attraction()
-{
-    return selectModel<gapModel>
-    (
-        dictOf("type morse; surfaceEnergy 1e-6; length 1e-7; restingGap 2e-8;")
-    );
-}
-
 }
 
 
 TEST_CASE("gap models: a step has a potential", "[gap][serial]")
 {
-    // Force and stiffness are its derivatives; the attraction has no negative stiffness
-    const bool films = GENERATE(true, false);
-    const auto model(films ? film() : attraction());
+    // Force and stiffness are its derivatives
+    const auto model(film());
     const scalar h = 1e-13;
 
     for (const scalar start : {-2e-8, 3e-9, 2e-8, 1.5e-7, 5e-7, 9e-7})
@@ -50,8 +41,8 @@ TEST_CASE("gap models: a step has a potential", "[gap][serial]")
             const auto w = model->step(gap, start, 1e-4, R, plasma);
             const auto more = model->step(gap + h, start, 1e-4, R, plasma);
             const auto less = model->step(gap - h, start, 1e-4, R, plasma);
-            INFO(films << ' ' << start << ' ' << gap);
-            const scalar size = films ? unit/1e-4 : 2e-5;
+            INFO(start << ' ' << gap);
+            const scalar size = unit/1e-4;
             CHECK
             (
                 -w.force
@@ -236,62 +227,25 @@ TEST_CASE("squeeze film: dissipates, and knows no length of a step", "[gap][seri
 }
 
 
-TEST_CASE("morse: strength", "[gap][serial]")
-{
-    const auto model(attraction());
-    const scalar Fm = 2*constant::mathematical::pi*R*1e-6;
-    scalar most = 0, where = 0;
-    for (scalar gap = -1e-7; gap < 9e-7; gap += 1e-10)
-    {
-        const scalar f = model->step(gap, 0, 1, R, plasma).force;
-        CHECK(f <= 0);
-        if (-f > most)
-        {
-            most = -f;
-            where = gap;
-        }
-    }
-    CHECK(most == Approx(Fm).epsilon(1e-5));
-    CHECK(where == Approx(2e-8 + 1e-7*Foam::log(2.0)).epsilon(0.01));
-
-    // Depth of the well, and nothing beyond the range
-    CHECK(model->step(0, 0, 1, R, plasma).energy == Approx(-1.95*Fm*1e-7).epsilon(1e-3));
-    CHECK(model->step(model->range(1), 0, 1, R, plasma).energy == 0);
-    CHECK(model->step(2e-8, 0, 1, R, plasma).force == 0);
-}
-
-
 TEST_CASE("gap forces: only what is on acts", "[gap][serial]")
 {
-    gapForces forces
-    (
-        dictOf
-        (
-            "lubrication { type squeezeFilm; roughness 1e-8; }"
-            "aggregation { type morse; surfaceEnergy 1e-6; length 1e-7; }"
-        )
-    );
+    gapForces forces(dictOf("lubrication { type squeezeFilm; roughness 1e-8; }"));
     forces.setViscosity(1e-3);
-    const auto force = [&](const bool atWall)
+    const auto force = [&]()
     {
-        return forces.step(1e-7, 2e-7, 1e-4, R, 0.5e-6, atWall).force;
+        return forces.step(1e-7, 2e-7, 1e-4, R, 0.5e-6).force;
     };
-    CHECK(!forces.active(false));
-    CHECK(force(false) == 0);
+    CHECK(!forces.active());
+    CHECK(force() == 0);
+    CHECK(forces.range(0.5e-6) == 0);
 
-    forces.setActive("aggregation", true);
-    CHECK(forces.active(false));
-    CHECK(!forces.active(true));
-    CHECK(forces.range(0.5e-6, false) == Approx(6e-7));
-    CHECK(forces.range(0.5e-6, true) == 0);
-    const scalar attracts = force(false);
-    CHECK(attracts < 0);
-    CHECK(force(true) == 0);
+    forces.setActive(true);
+    CHECK(forces.active());
+    CHECK(force() > 0);
+    CHECK(forces.range(0.5e-6) == Approx(0.3e-6));
 
-    forces.setActive("lubrication", true);
-    const scalar film = force(true);
-    CHECK(film > 0);
-    CHECK(force(false) == Approx(attracts + film));
-
-    CHECK(!gapForces(dictionary()).model("lubrication"));
+    gapForces none((dictionary()));
+    CHECK(!none.model());
+    none.setActive(true);
+    CHECK(!none.active());
 }

@@ -199,7 +199,7 @@ BODIES = {
     "ring": ("type ring; nSpheres 8; ringRadius 3e-6;", 5, (0,), (4,),
              "enclosedArea; areaModulus 1e-3;"),
     "shell": ("type shell; nSpheres 12; shellRadius 2.4e-6;", 4.4, (11,), (8,),
-              "enclosedVolume; volumeModulus 1e4;"),
+              "unionVolume; volumeModulus 1e4;"),
 }
 
 
@@ -268,18 +268,12 @@ def conserves(scene):
 
 
 def injects(scene):
-    """Through the inlet where there is one, else at a time and place: small beads."""
+    """Small beads through the inlet."""
     small = RADIUS*0.85
     scene.add("constant/clumpProperties", "types { small { shape { type chain; nSpheres 1; "
               f"sphereRadius {small}; }} density {DENSITY}; massModel union; motion free; }} }}")
-    if scene.row["driving"] == "inlet":
-        text = "type rate; rate 2000; patches (x0); clumpType small; seed 1;"
-    else:
-        x = 15 + 13*scene.shear
-        text = "type timedList; clumps ( " + " ".join(
-            f"{{ type small; time {t}; position ({x}e-6 13e-6 {z}e-6); }}"
-            for t, z in ((3.5e-4, 5), (12.5e-4, 11))) + " );"
-    scene.add("constant/clumpProperties", f"injection {{ more {{ {text} }} }}")
+    scene.add("constant/clumpProperties", "injection { more { type rate; rate 2000; patches (x0); "
+              "clumpType small; seed 1; } }")
 
 
 FEATURES = {
@@ -375,6 +369,7 @@ FORBIDDEN = [
     ({"driving": ["movingWall"], "boundaries": ["periodic"]}, "there is no wall"),
     ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls"]},
      "there is no inlet"),
+    ({"injection": ["yes"], "driving": ["none", "gradient", "movingWall"]}, "there is no inlet"),
     ({"conservation": ["one"], "bodies": ["spheres"]}, "a sphere has no shape to conserve"),
 ]
 

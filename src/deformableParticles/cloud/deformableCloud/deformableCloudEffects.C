@@ -16,34 +16,30 @@ void Foam::deformableCloud::refuseIdleEffects() const
     (
         "walls", walls_.active(), "the type of wallContactModel is none"
     );
-    for (const word& entry : gapForces::entries())
+    const string reason(lubricationIdle());
+    effects_.require("lubrication", reason.empty(), reason);
+    if (const gapModel* model = gaps_.model())
     {
-        const string reason(idleReason(entry));
-        effects_.require(entry.c_str(), reason.empty(), reason);
-        if (const gapModel* model = gaps_.model(entry))
-        {
-            const string idle
-            (
-                model->idleReason(Foam::cbrt(gMax(mesh_.V().field())))
-            );
-            if (idle.size())
-            {
-                FatalIOErrorInFunction(getDict(dict_, entry))
-                    << idle.c_str() << exit(FatalIOError);
-            }
-        }
-        if
+        const string idle
         (
-            reason.empty() && !effects_.switchedOff(entry.c_str())
-         && gaps_.model(entry)->needsFluid() && !integrator_->implicit()
-        )
+            model->idleReason(Foam::cbrt(gMax(mesh_.V().field())))
+        );
+        if (idle.size())
         {
-            FatalIOErrorInFunction(getDict(dict_, entry))
-                << "Entry '" << entry << "' needs an implicit integrator:"
-                << " the resistance of a narrow gap would limit the step of an"
-                << " explicit one. Valid here: implicitEuler"
-                << exit(FatalIOError);
+            FatalIOErrorInFunction(getDict(dict_, "lubrication"))
+                << idle.c_str() << exit(FatalIOError);
         }
+    }
+    if
+    (
+        reason.empty() && !effects_.switchedOff("lubrication")
+     && !integrator_->implicit()
+    )
+    {
+        FatalIOErrorInFunction(getDict(dict_, "lubrication"))
+            << "Entry 'lubrication' needs an implicit integrator: the resistance"
+            << " of a narrow gap would limit the step of an explicit one. Valid"
+            << " here: implicitEuler" << exit(FatalIOError);
     }
 }
 
@@ -53,7 +49,7 @@ void Foam::deformableCloud::decideEffects()
     decideGravity();
     decideContact();
     decideWalls();
-    decideGaps();
+    decideLubrication();
 }
 
 
@@ -106,7 +102,7 @@ void Foam::deformableCloud::decideContact()
             contacts_.near
             (
                 ghosts_.images(), ghosts_.nOwn(), mesh_.time().deltaTValue(),
-                gapRange(false)
+                gapRange()
             ),
             orOp<bool>()
         );
@@ -135,7 +131,7 @@ void Foam::deformableCloud::decideWalls()
     }
     walls_.update(ghosts_);
     const scalar displacement = maxSpeed()*mesh_.time().deltaTValue();
-    if (walls_.gapMeasured(*this, displacement, gapRange(true)))
+    if (walls_.gapMeasured(*this, displacement, gapRange()))
     {
         effects_.decide("walls", walls_.near(), walls_.gap());
     }
@@ -152,74 +148,51 @@ void Foam::deformableCloud::renewWalls()
 }
 
 
-Foam::string Foam::deformableCloud::idleReason(const word& entry) const
+Foam::string Foam::deformableCloud::lubricationIdle() const
 {
-    const gapModel* model = gaps_.model(entry);
-    if (!model)
+    const auto acts = [&](const bool model, const char* name)
     {
-        return "there is no entry " + entry;
-    }
-    if (model->needsFluid() && !effects_.active("feedback"))
-    {
-        return "the flow does not feel the clumps";
-    }
-    const bool between = contacts_.active() && !effects_.switchedOff("contact");
-    const bool atWalls =
-        model->atWalls() && walls_.active() && !effects_.switchedOff("walls");
-    if (!between && !atWalls)
-    {
-        return "contact is off";
-    }
-    return "";
+        return model && !effects_.switchedOff(name);
+    };
+    return
+        !gaps_.model()
+      ? "there is no entry lubrication"
+      : !effects_.active("feedback")
+      ? "the flow does not feel the clumps"
+      : !acts(contacts_.active(), "contact") && !acts(walls_.active(), "walls")
+      ? "contact is off"
+      : "";
 }
 
 
-Foam::scalar Foam::deformableCloud::gapRange(const bool atWalls) const
+Foam::scalar Foam::deformableCloud::gapRange() const
 {
+    if (effects_.switchedOff("lubrication") || lubricationIdle().size())
+    {
+        return 0;
+    }
     scalar width = 0;
-    scalar result = 0;
-    for (const word& entry : gapForces::entries())
+    for (const clumpParcel& p : *this)
     {
-        if (effects_.switchedOff(entry.c_str()) || idleReason(entry).size())
-        {
-            continue;
-        }
-        if (width == 0)
-        {
-            for (const clumpParcel& p : *this)
-            {
-                width = max(width, Foam::cbrt(mesh_.V()[p.cell()]));
-            }
-            reduce(width, maxOp<scalar>());
-        }
-        const gapModel& model = *gaps_.model(entry);
-        if (!atWalls || model.atWalls())
-        {
-            result = max(result, model.range(width));
-        }
+        width = max(width, Foam::cbrt(mesh_.V()[p.cell()]));
     }
-    return result;
+    return gaps_.model()->range(returnReduce(width, maxOp<scalar>()));
 }
 
 
-void Foam::deformableCloud::decideGaps()
+void Foam::deformableCloud::decideLubrication()
 {
     const bool contact = effects_.active("contact");
-    const bool walls = effects_.active("walls");
-    for (const word& entry : gapForces::entries())
-    {
-        const string reason(idleReason(entry));
-        const gapModel* model = gaps_.model(entry);
-        const bool near = contact || (model && model->atWalls() && walls);
-        effects_.decide
-        (
-            entry.c_str(),
-            reason.empty() && near,
-            reason.size() ? reason
-          : contact ? string("clumps are near")
-          : near ? string("walls are near")
-          : string("nothing is near")
-        );
-        gaps_.setActive(entry, effects_.active(entry.c_str()));
-    }
+    const bool near = contact || effects_.active("walls");
+    const string reason(lubricationIdle());
+    effects_.decide
+    (
+        "lubrication",
+        reason.empty() && near,
+        reason.size() ? reason
+      : contact ? string("clumps are near")
+      : near ? string("walls are near")
+      : string("nothing is near")
+    );
+    gaps_.setActive(effects_.active("lubrication"));
 }

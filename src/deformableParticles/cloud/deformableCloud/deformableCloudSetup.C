@@ -98,7 +98,7 @@ dictionary presentEntries(const dictionary& dict)
         result,
         {
             "types", "placement", "injection", "integrator", "contactModel",
-            "wallContactModel", "lubrication", "aggregation", "loads", "effects",
+            "wallContactModel", "lubrication", "loads", "effects",
             "rotation", "couplingScheme", "immersedBoundary", "openPatches",
             "typesMayChange", "accuracyLevel", "rho"
         }

@@ -19,7 +19,7 @@ Foam::sceneEffects::sceneEffects(const dictionary& clumpProperties)
     {
         "fluid", "feedback", "convection", "sliding", "refinement", "gravity",
         "rotation", "loads", "damping", "conservation", "contact", "walls",
-        "lubrication", "aggregation"
+        "lubrication"
     };
     for (const char* name : names)
     {

@@ -117,7 +117,7 @@ void Foam::contactStep::evaluate(touch& t) const
     {
         const contactModel::increment w = gaps_.step
         (
-            -t.d, -t.first, dt_, t.gapR, t.cellWidth, t.b < 0
+            -t.d, -t.first, dt_, t.gapR, t.cellWidth
         );
         t.w.energy += t.gapShare*w.energy;
         t.w.force += t.gapShare*w.force;
@@ -228,9 +228,7 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
 {
     const List<vectorField> moves(ofSlots(step));
 
-    // Up to half of a gap and a quarter of a radius nearer. Where spheres attract each
-    // other, which depends on no mesh, less than to the largest attraction farther
-    const scalar attraction = gaps_.range(0, false);
+    // Up to half of a gap and a quarter of a radius nearer
     scalar part = 1;
     forAll(members_, m)
     {
@@ -253,11 +251,6 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
             if (nearer > allowed)
             {
                 part = min(part, allowed/mag(dx));
-            }
-            if (attraction > 0 && t.b >= 0 && -t.d < attraction)
-            {
-                const scalar farther = mag(distance*t.n + dx) - distance;
-                part = min(part, attraction/(24*max(farther, VSMALL)));
             }
         }
     }

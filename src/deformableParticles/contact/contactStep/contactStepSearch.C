@@ -31,7 +31,7 @@ bool Foam::contactStep::resume
      || search_.dt != dt
      || search_.betweenClumps != betweenClumps
      || search_.atWalls != atWalls
-     || search_.acrossGaps != gaps_.active(false)
+     || search_.acrossGaps != gaps_.active()
     )
     {
         return false;
@@ -71,7 +71,7 @@ void Foam::contactStep::find
     touches_.clear();
     search_.betweenClumps = betweenClumps;
     search_.atWalls = false;
-    search_.acrossGaps = gaps_.active(false);
+    search_.acrossGaps = gaps_.active();
 
     setCellWidths();
     setImages(betweenClumps);
@@ -127,7 +127,7 @@ void Foam::contactStep::findWalls(const label a)
     }
     const scalar width =
         max(type(a).radii()) + span_*max(mag(p.state().u)) + slack_
-      + gaps_.range(cellWidths_[a], true);
+      + gaps_.range(cellWidths_[a]);
     boundBox box(p.centres(), false);
     box.min() -= width*vector::one;
     box.max() += width*vector::one;
@@ -139,7 +139,7 @@ void Foam::contactStep::setCellWidths()
 {
     range_ = 0;
     cellWidths_ = scalarList(clumps_.size(), Zero);
-    if (!gaps_.active(false))
+    if (!gaps_.active())
     {
         return;
     }
@@ -149,13 +149,13 @@ void Foam::contactStep::setCellWidths()
         cellWidths_[a] = Foam::cbrt(mesh_.cellVolumes()[clumps_[a].cell()]);
         widest = max(widest, cellWidths_[a]);
     }
-    range_ = gaps_.range(returnReduce(widest, maxOp<scalar>()), false);
+    range_ = gaps_.range(returnReduce(widest, maxOp<scalar>()));
 }
 
 
 void Foam::contactStep::setRanges()
 {
-    if (!gaps_.active(false))
+    if (!gaps_.active())
     {
         return;
     }
@@ -163,12 +163,11 @@ void Foam::contactStep::setRanges()
     remote_.exchange(cellWidths_);
     for (touch& t : touches_)
     {
-        const bool wall = t.b < 0;
         if (t.reaches)
         {
             const scalar own = cellWidths_[t.a];
-            t.cellWidth = wall ? own : 0.5*(own + cellWidths_[t.slot]);
-            t.range = gaps_.range(t.cellWidth, wall);
+            t.cellWidth = t.b < 0 ? own : 0.5*(own + cellWidths_[t.slot]);
+            t.range = gaps_.range(t.cellWidth);
         }
     }
 }
@@ -347,13 +346,13 @@ void Foam::contactStep::findPlanes(const label a)
 
 void Foam::contactStep::findFilms(const label a)
 {
-    if (!gaps_.active(true))
+    if (!gaps_.active())
     {
         return;
     }
     const clumpParcel& p = clumps_[a];
     const scalarField& r = type(a).radii();
-    const scalar range = gaps_.range(cellWidths_[a], true);
+    const scalar range = gaps_.range(cellWidths_[a]);
     const scalar reach = range + span_*max(mag(p.state().u)) + slack_;
 
     for

@@ -179,8 +179,6 @@ bool Foam::couplingIteration::loop()
 
 void Foam::couplingIteration::beginStep()
 {
-    flow_.beginStep();
-
     // There is no pattern to be carried before the first step
     const bool started = flow_.p().time().timeIndex() > 1;
     if (clumpsFollow_ && flow_.carriesPressure() && started)

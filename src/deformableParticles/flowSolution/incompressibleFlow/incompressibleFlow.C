@@ -19,8 +19,7 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
         dict,
         {
             "consistent", "momentumPredictor", "nOuterCorrectors",
-            "extrapolatePressure", "carryPressure", "scaleCorrection",
-            "wallMobility",
+            "carryPressure", "scaleCorrection", "wallMobility",
             "couplingTolerance", "andersonDepth",
             "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
             "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
@@ -45,16 +44,6 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
         }
     }
     getNonNegativeOrDefault(dict, "couplingTolerance", 0);
-    if
-    (
-        dict.getOrDefault<Switch>("carryPressure", true)
-     && dict.getOrDefault<Switch>("extrapolatePressure", false)
-    )
-    {
-        FatalIOErrorInFunction(dict)
-            << "carryPressure and extrapolatePressure both predict the pressure"
-            << " of a step; set one of them to no" << exit(FatalIOError);
-    }
 }
 
 
@@ -235,13 +224,6 @@ Foam::incompressibleFlow::incompressibleFlow
     {
         solverSettings::check(*p_);
         solverSettings::check(*U_);
-        extrapolation_.reset
-        (
-            new pressureExtrapolation
-            (
-                *p_, control_->dict(), control_->nCorrPIMPLE()
-            )
-        );
         if (control_->dict().getOrDefault<Switch>("carryPressure", true))
         {
             carried_.reset(new carriedPressure(*p_, pRefCell_));

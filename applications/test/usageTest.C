@@ -110,11 +110,14 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<contactModel>("contact/contactModels");
     run<gapModel>("contact/gapModels");
     run<load>("clump/loads");
-    run<solidFractionModel>("fluidCoupling/solidFractionModels");
-    run<forcingModel>("fluidCoupling/forcingModels");
-    run<hydrodynamicForceModel>("fluidCoupling/hydrodynamicForceModels");
-    run<rotationModel>("fluidCoupling/rotationModels");
-    run<couplingScheme>("fluidCoupling/couplingSchemes");
+    for (const fileName folder : {"fluidCoupling", "../paperModels"})
+    {
+        run<solidFractionModel>(folder/"solidFractionModels");
+        run<forcingModel>(folder/"forcingModels");
+        run<hydrodynamicForceModel>(folder/"hydrodynamicForceModels");
+        run<rotationModel>(folder/"rotationModels");
+        run<couplingScheme>(folder/"couplingSchemes");
+    }
 
     // Corners of a convex surface, which in their order enclose an area as well
     pointField corners(10);
@@ -177,7 +180,7 @@ void checkNames(const fileName& folder, label& n)
         CHECK(hasClass);
         if (type == "none")
         {
-            // noRotation of the rotationModels
+            // noDamping of the dampingModels
             REQUIRE(sub.size() > 2);
             string family(sub.substr(2));
             family[0] = std::tolower(family[0]);
@@ -196,6 +199,7 @@ TEST_CASE("usage: folder, class and type have one name", "[usage][serial]")
 {
     label n = 0;
     checkNames(getEnv("DEFORMABLE_SRC"), n);
+    checkNames(getEnv("DEFORMABLE_SRC")/".."/"paperModels", n);
     CHECK(n > 50);
 }
 
@@ -206,11 +210,6 @@ TEST_CASE("usage: former names of types and entries", "[usage][serial]")
     (
         selectModel<rotationModel>(dictOf("type clump;"))->type()
      == "wholeClump"
-    );
-    CHECK
-    (
-        selectModel<solidFractionModel>(dictOf("type centre;"))->type()
-     == "centreInside"
     );
     CHECK
     (

@@ -2,7 +2,7 @@
 import re
 
 from .code import Code, kindOf, literal
-from .usage import groups
+from .usage import TOP, groups
 
 # Entries that OpenFOAM itself reads and documents
 OPENFOAM = set("""type libs writeControl writeInterval selectionMode fields active log
@@ -63,6 +63,12 @@ def link(header):
     return "../../" + header.place
 
 
+def library(header):
+    """Where a model is not in the library of the solver"""
+    name = header.path.relative_to(TOP).parts[1]
+    return " (`libpaperModels.so`)" if name == "paperModels" else ""
+
+
 def familyTable(members):
     lines = ["| `type` (mandatory) | what it is |", "|---|---|"]
     table = []
@@ -101,8 +107,10 @@ def familyTable(members):
 
     for header in models:
         lines.append(
-            "| [`%s`](%s) | %s |"
-            % (header.type, link(header), header.summary().replace("|", "\\|")))
+            "| [`%s`](%s)%s | %s |"
+            % (
+                header.type, link(header), library(header),
+                header.summary().replace("|", "\\|")))
         seen = set()
         code = codeFor(header)
         for type_, root, entries in header.models():

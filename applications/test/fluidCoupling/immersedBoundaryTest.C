@@ -62,7 +62,7 @@ TEST_CASE("boundary: a rigid motion is imposed to round-off", "[boundary]")
 
 TEST_CASE("boundary: third law, and forces the transpose of velocities", "[boundary][adjoint]")
 {
-    const word rotation = GENERATE(word("none"), word("perSphere"), word("wholeClump"));
+    const word rotation = GENERATE(word("perSphere"), word("wholeClump"));
     const word forcing = GENERATE(word("sharp"), word("continuous"));
     testCloud t
     (
@@ -335,7 +335,7 @@ TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][seria
 {
     const word fraction = GENERATE
     (
-        word("fullCells"), word("centreInside"), word("signedDistance"), word("tetClipping")
+        word("fullCells"), word("signedDistance"), word("tetClipping")
     );
     const word forcing = GENERATE
     (

@@ -54,7 +54,6 @@ TEST_CASE("rotation: a rigid motion is imposed exactly", "[rotation][serial]")
 
     // Eq. 13 is exact in the plane and not for tumbling
     CHECK((error("perSphere") < 1e-12) == inPlane);
-    CHECK(error("none") > 1e-3);
 }
 
 
@@ -83,7 +82,7 @@ TEST_CASE("rotation: single sphere and straight chain", "[rotation][serial]")
 
 TEST_CASE("rotation: forces are the transpose of velocities", "[rotation][adjoint][serial]")
 {
-    const word model = GENERATE(word("none"), word("perSphere"), word("wholeClump"));
+    const word model = GENERATE(word("perSphere"), word("wholeClump"));
     const clumpType type("cell", cellDict());
     const label n = type.size();
     Random random(13);

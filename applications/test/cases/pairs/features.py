@@ -82,7 +82,7 @@ class Scene:
             application rbcIbFoam; startFrom latestTime; startTime 0; stopAt endTime;
             endTime {END}; deltaT 1e-4; writeControl adjustableRunTime; writeInterval {END/4};
             writeFormat binary; writePrecision 12; timePrecision 10;
-            libs ("libdeformableParticles.so");
+            libs ("libdeformableParticles.so" "libpaperModels.so");
             functions
             {{
                 {tables}
@@ -336,8 +336,9 @@ FEATURES = {
         "no": adds("constant/clumpProperties", "immersedBoundary { interiorDilation no; }"),
     },
     "rotation": {
-        name: adds("constant/clumpProperties", f"rotation {{ type {name}; }}")
-        for name in ("wholeClump", "none", "perSphere")
+        "wholeClump": nothing,
+        "off": adds("constant/clumpProperties", "effects { rotation off; }"),
+        "perSphere": adds("constant/clumpProperties", "rotation { type perSphere; }"),
     },
     "bodies": {
         "spheres": spheres,

@@ -156,9 +156,7 @@ void Foam::sceneEffects::decideFluid
     }
     else if (!switchedOff("rotation"))
     {
-        const word model(getDict(dict, "rotation").get<word>("type"));
-        decide("rotation", model != "none", model);
-        require("rotation", model != "none", "the type of rotation is none");
+        decide("rotation", true, getDict(dict, "rotation").get<word>("type"));
     }
 }
 

@@ -4,55 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphereGrid.H"
-#include "DynamicList.H"
-#include <map>
-#include <tuple>
-#include <cmath>
-
-namespace
-{
-
-using namespace Foam;
-
-typedef std::tuple<long, long, long> cube;
-
-cube cubeOf(const point& p, const scalar width)
-{
-    return cube
-    (
-        std::lround(std::floor(p.x()/width)),
-        std::lround(std::floor(p.y()/width)),
-        std::lround(std::floor(p.z()/width))
-    );
-}
-
-//- The entries of a cube and its 26 neighbours
-template<class Grid, class Action>
-void forEachAround(const Grid& grid, const cube& c, const Action& action)
-{
-    for (label n = 0; n < 27; ++n)
-    {
-        const auto found = grid.find
-        (
-            cube
-            (
-                std::get<0>(c) + n % 3 - 1,
-                std::get<1>(c) + (n/3) % 3 - 1,
-                std::get<2>(c) + n/9 - 1
-            )
-        );
-        if (found != grid.end())
-        {
-            for (const auto& entry : found->second)
-            {
-                action(entry);
-            }
-        }
-    }
-}
-
-}
-
+#include "pointGrid.H"
 
 void Foam::sphereGrid::forEachNear
 (
@@ -62,37 +14,33 @@ void Foam::sphereGrid::forEachNear
     const std::function<void(label, label)>& visit
 )
 {
-    // Boxes that meet have centres no farther apart than the widest box
-    scalar width = SMALL;
-    for (const clumpImage& image : images)
-    {
-        width = max(width, cmptMax(image.box.span()));
-    }
-    width += nOwn ? max(margins) : scalar(0);
-
-    std::map<cube, DynamicList<label>> grid;
+    // Boxes that meet have centres no farther apart than half of both
+    pointField centres(images.size());
+    scalar widest = 0;
     forAll(images, b)
     {
-        grid[cubeOf(images[b].box.midpoint(), width)].append(b);
+        centres[b] = images[b].box.midpoint();
+        widest = max(widest, cmptMax(images[b].box.span()));
     }
+    pointGrid grid;
+    grid.update(centres);
 
+    DynamicList<label> found;
     for (label a = 0; a < nOwn; ++a)
     {
         boundBox box(images[a].box);
         box.min() -= margins[a]*vector::one;
         box.max() += margins[a]*vector::one;
 
-        forEachAround
-        (
-            grid, cubeOf(images[a].box.midpoint(), width),
-            [&](const label b)
+        const vector half(0.51*widest*vector::one);
+        grid.find(boundBox(box.min() - half, box.max() + half), found);
+        for (const label b : found)
+        {
+            if (a != b && box.overlaps(images[b].box))
             {
-                if (a != b && box.overlaps(images[b].box))
-                {
-                    visit(a, b);
-                }
+                visit(a, b);
             }
-        );
+        }
     }
 }
 

@@ -3,10 +3,10 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "cellGrid.H"
+#include "pointGrid.H"
 #include <algorithm>
 
-Foam::cellGrid::cellGrid()
+Foam::pointGrid::pointGrid()
 :
     n_(1, 1, 1),
     perLength_(Zero)
@@ -15,7 +15,7 @@ Foam::cellGrid::cellGrid()
 }
 
 
-Foam::labelVector Foam::cellGrid::place(const point& p) const
+Foam::labelVector Foam::pointGrid::place(const point& p) const
 {
     labelVector result;
     for (direction d = 0; d < vector::nComponents; ++d)
@@ -27,8 +27,9 @@ Foam::labelVector Foam::cellGrid::place(const point& p) const
 }
 
 
-void Foam::cellGrid::update(const UList<point>& points)
+void Foam::pointGrid::update(const UList<point>& points, const label nBins)
 {
+    const label wanted = nBins ? nBins : points.size();
     n_ = labelVector(1, 1, 1);
     perLength_ = Zero;
     box_ = boundBox::invertedBox;
@@ -39,15 +40,14 @@ void Foam::cellGrid::update(const UList<point>& points)
 
     if (points.size())
     {
-        // Bins as wide in all directions, as many as points; the points stand in
-        // their middles, half a bin from the sides of the space that is theirs
+        // Bins as wide in all directions; the outermost points stand in their
+        // middles, half a bin from the sides of the space that is theirs
         const vector span(box_.span());
         scalar width = cmptMax(span);
         for (label pass = 0; pass < 20; ++pass)
         {
             const vector space(span + width*vector::one);
-            width =
-                Foam::cbrt(space.x()*space.y()*space.z()/points.size());
+            width = Foam::cbrt(cmptProduct(space)/wanted);
         }
 
         for (direction d = 0; d < vector::nComponents; ++d)
@@ -80,7 +80,7 @@ void Foam::cellGrid::update(const UList<point>& points)
 }
 
 
-void Foam::cellGrid::find
+void Foam::pointGrid::find
 (
     const boundBox& box,
     DynamicList<label>& found

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
-#include "cellGrid.H"
+#include "pointGrid.H"
 #include "Random.H"
 #include "sphereDistance.H"
 #include "sphereUnion.H"
@@ -23,7 +23,7 @@ point randomPoint(Random& random)
 }
 
 
-TEST_CASE("cell grid: no point of a box is missed", "[cellGrid][boundary]")
+TEST_CASE("point grid: no point of a box is missed", "[pointGrid][boundary]")
 {
     // Points in space, in a plane, on a line, in one place, none; some of them in
     // a corner, where a refined mesh has most of its cells
@@ -43,7 +43,7 @@ TEST_CASE("cell grid: no point of a box is missed", "[cellGrid][boundary]")
             points[i][d] = d < nDirections ? x[d] : 0.3;
         }
     }
-    cellGrid grid;
+    pointGrid grid;
     grid.update(points);
 
     DynamicList<label> found;
@@ -72,7 +72,7 @@ TEST_CASE("cell grid: no point of a box is missed", "[cellGrid][boundary]")
 }
 
 
-TEST_CASE("cell grid: little around a box is read", "[cellGrid][boundary]")
+TEST_CASE("point grid: little around a box is read", "[pointGrid][boundary]")
 {
     // A regular mesh of 40^3 cells of width 1, a box of 6^3
     pointField points(64000);
@@ -80,7 +80,7 @@ TEST_CASE("cell grid: little around a box is read", "[cellGrid][boundary]")
     {
         points[i] = point(i % 40, (i/40) % 40, i/1600);
     }
-    cellGrid grid;
+    pointGrid grid;
     grid.update(points);
 
     DynamicList<label> found;
@@ -92,9 +92,9 @@ TEST_CASE("cell grid: little around a box is read", "[cellGrid][boundary]")
 }
 
 
-TEST_CASE("cell grid: points in one place", "[cellGrid][boundary]")
+TEST_CASE("point grid: points in one place", "[pointGrid][boundary]")
 {
-    cellGrid grid;
+    pointGrid grid;
     grid.update(pointField(5, point(1, 2, 3)));
     DynamicList<label> found;
 
@@ -107,7 +107,7 @@ TEST_CASE("cell grid: points in one place", "[cellGrid][boundary]")
 }
 
 
-TEST_CASE("sphere distance: that of the union", "[cellGrid][boundary]")
+TEST_CASE("sphere distance: that of the union", "[pointGrid][boundary]")
 {
     const bool same = GENERATE(true, false);
     Random random(3);

@@ -103,6 +103,13 @@ dictionary presentEntries(const dictionary& dict)
             "typesMayChange", "accuracyLevel", "rho"
         }
     );
+    if (result.found("aggregation"))
+    {
+        FatalIOErrorInFunction(result)
+            << "Entry 'aggregation': there is no model of the attraction between"
+            << " clumps any more. Remove the entry; 'lubrication' is the only one"
+            << " that acts across gaps." << exit(FatalIOError);
+    }
     return result;
 }
 

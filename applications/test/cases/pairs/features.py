@@ -328,7 +328,7 @@ FEATURES = {
     },
     "outer": {
         "tolerance": nothing,
-        "1": adds("system/fvSolution", "PISO { nOuterCorrectors 1; }"),
+        "1": adds("system/fvSolution", "PISO { nOuterCorrectors 1; couplingTolerance 0; }"),
         "3": adds("system/fvSolution", "PISO { nOuterCorrectors 3; couplingTolerance 0; }"),
     },
     "dilation": {
@@ -383,6 +383,10 @@ KNOWN = [
      "mean velocity over Ubar, less 1", 0.03,
      "after an impulsive start clumps with a locked interior follow the fluid within some steps,"
      " with one corrector; after 18 steps the mean velocity approaches Ubar by a fifth a step"),
+    ({"outer": ["3"], "gravity": ["on"]}, "momentum less impulse, over the impulse of all forces",
+     0.0015,
+     "three outer correctors do not converge the first step from rest, in which the coupling keeps"
+     " as much of the impulse; from the second step on it is below 0.0005"),
 ]
 
 # Changes of the plainest row, of the first levels, that failed once

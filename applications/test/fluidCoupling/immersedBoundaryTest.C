@@ -445,7 +445,8 @@ TEST_CASE("boundary: the factor on the coupling coefficient has a limit", "[boun
             IOobject("testU", testTime().timeName(), mesh),
             mesh, dimensionedVector("U", dimVelocity, vector(speed, 0, 0))
         );
-        t.cloud().iterate(U, p, nu);
+        t.cloud().predict(U, p, nu);
+        t.cloud().imposeEnd();
         for (const clumpParcel& parcel : t.cloud())
         {
             largest = max(largest, parcel.couplingFactor());

@@ -77,18 +77,6 @@ void Foam::deformableCloud::impose()
 }
 
 
-void Foam::deformableCloud::iterate
-(
-    const volVectorField& U,
-    const volScalarField& p,
-    const volScalarField& nu
-)
-{
-    predict(U, p, nu);
-    imposeEnd();
-}
-
-
 void Foam::deformableCloud::predict
 (
     const volVectorField& U,

@@ -51,7 +51,7 @@ dictionary accurateModels()
 {
     IStringStream is
     (
-        "integrator { type implicitEuler; tolerance 1e-6; maxIterations 100; }"
+        "integrator { type implicitEuler; tolerance 1e-9; maxIterations 100; }"
         "rotation { type wholeClump; }"
         "couplingScheme { type robin; }"
         "immersedBoundary"
@@ -69,6 +69,7 @@ dictionary accurateModels()
 //- Add the entries that dict lacks, whole models and not parts of them
 void complete(dictionary& dict, const dictionary& usual)
 {
+    refuseMisspelt(dict, usual.toc());
     for (const entry& e : usual)
     {
         dictionary* given = dict.findDict(e.keyword(), keyType::LITERAL);

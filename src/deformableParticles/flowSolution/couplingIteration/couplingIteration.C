@@ -37,7 +37,6 @@ Foam::couplingIteration::couplingIteration
     flow_(flow),
     clumpsFollow_(clumpsFollow && flow.solved() && cloud.coupled()),
     tolerance_(0),
-    measures_(false),
     nCorrectors_(0)
 {
     if (!clumpsFollow_)
@@ -45,11 +44,11 @@ Foam::couplingIteration::couplingIteration
         return;
     }
     const dictionary dict(flow.control().dict());
-    const label depth = dict.getOrDefault<label>("andersonDepth", 0);
-
-    tolerance_ = dict.getOrDefault<scalar>("couplingTolerance", 0);
-    acceleration_.reset(new andersonAcceleration(depth));
-    measures_ = dict.found("couplingTolerance") || depth > 0;
+    tolerance_ = dict.get<scalar>("couplingTolerance");
+    acceleration_.reset
+    (
+        new andersonAcceleration(dict.get<label>("andersonDepth"))
+    );
 }
 
 
@@ -155,7 +154,7 @@ bool Foam::couplingIteration::loop()
     outerCorrectors& control = flow_.control();
     const bool last = nCorrectors_ == control.nCorrPIMPLE();
 
-    if (measures_ && nCorrectors_ > 0 && !last && converged())
+    if (clumpsFollow_ && nCorrectors_ > 0 && !last && converged())
     {
         control.end();
         return false;
@@ -164,11 +163,7 @@ bool Foam::couplingIteration::loop()
     {
         return false;
     }
-    if (clumpsFollow_ && !measures_ && nCorrectors_ > 0)
-    {
-        cloud_.iterate(flow_.U(), flow_.p(), flow_.nu());
-    }
-    if (measures_)
+    if (clumpsFollow_)
     {
         p0_ = flow_.p().primitiveField();
     }
@@ -191,7 +186,7 @@ void Foam::couplingIteration::beginStep()
 
 void Foam::couplingIteration::endStep()
 {
-    if (measures_)
+    if (clumpsFollow_)
     {
         const scalarField x(unknowns(p0_, true));
         const scalarField r(unknowns(flow_.p(), false) - x);

@@ -43,7 +43,10 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
             getNumber(dict, key, 0, 1000);
         }
     }
-    getNonNegativeOrDefault(dict, "couplingTolerance", 0);
+    if (dict.found("couplingTolerance"))
+    {
+        getNonNegative(dict, "couplingTolerance");
+    }
 }
 
 

@@ -63,25 +63,25 @@ void Foam::outerCorrectors::report() const
 
 const Foam::dictionary Foam::outerCorrectors::dict() const
 {
-    dictionary result(pimpleControl::dict());
-
-    result.add("consistent", Switch(true));
-    if (!iterates_)
+    dictionary usual;
+    usual.set("consistent", Switch(true));
+    if (iterates_)
     {
-        return result;
+        usual.set("nOuterCorrectors", usualNumber);
+        usual.set("couplingTolerance", usualTolerance);
+        usual.set("andersonDepth", 4);
     }
-    result.add("andersonDepth", 4);
 
-    const label n =
-        result.getOrDefault<label>("nOuterCorrectors", usualNumber);
-    if (result.found("couplingTolerance"))
+    const dictionary given(pimpleControl::dict());
+    dictionary result(usual);
+    result.merge(given);
+    if (iterates_ && !given.found("couplingTolerance"))
     {
-        result.add("nOuterCorrectors", usualNumber);
-    }
-    else
-    {
-        result.set("nOuterCorrectors", max(n, usualNumber));
-        result.set("couplingTolerance", usualTolerance);
+        result.set
+        (
+            "nOuterCorrectors",
+            max(result.get<label>("nOuterCorrectors"), usualNumber)
+        );
     }
     return result;
 }

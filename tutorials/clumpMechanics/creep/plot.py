@@ -4,7 +4,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-DIAMETER = 7.82e-6      # at rest
+DIAMETER = 7.6e-6      # at rest
 
 shape = table(".", "clumpShape")
 time = [row["time"] for row in shape]

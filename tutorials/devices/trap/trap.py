@@ -12,7 +12,7 @@ from clumpSpheres import drawSpheres, frames
 from clumpTables import table
 
 # The trap, from constant/triSurface/trap.stl [um], and its pocket
-POST = [(20, 4.5), (26, 4.5), (26, 1.25), (29, 1.25), (29, 7), (20, 7)]
+POST = [(20, 4.5), (26, 4.5), (26, 1), (29, 1), (29, 7), (20, 7)]
 POCKET = (18, 29), (-4.5, 4.5)
 SLOW = 0.05             # of a caught cell, to the mean velocity of the flow
 MEAN = 1e-3             # [m/s]

@@ -54,8 +54,8 @@ for case, name in POPULATIONS.items():
     out.add(f"{name}: largest residual, N = 8, 10, 12, 16, one set", worst(case + ".evaluated"),
             "error bars", 0, 0.8, SURESH)
 
-    out.add(f"{name}: largest difference between N = 8, 10, 12 and 16", spread(curve(case))[0], "%", 0,
-            5, "each other")
+    out.add(f"{name}: largest difference between N = 8, 10, 12 and 16", spread(curve(case))[0],
+            "%", 0, 5, "each other")
 
     unstable = int(found(r"unstable states (\d+)", f"log.{case}"))
     out.add(f"{name}: states that buckle", unstable, "-", 0, 0, "second variation of the energy")
@@ -75,7 +75,8 @@ for case, name in POPULATIONS.items():
 out.add("healthy set against an independent experiment", worst("mills.evaluated"), "error bars", 0,
         1.0,
         "Mills et al. 2004")
-volumes = [1e18*float(v) for v in found(r"volume \[m3\] (.*)", "log.unionHealthy").split()]
+volumes = [1e18*float(v)
+           for v in found(r"volume \[m3\] (.*)", "log.unionHealthy").split()]
 out.add("union of 94 um3: volume, N of the largest deviation",
         max(volumes, key=lambda v: abs(v - VOLUME)), "um3", VOLUME, "0.1%", "Evans & Fung 1972")
 out.add("union of 94 um3, its own set: largest residual, N = 8, 10, 12, 16",
@@ -87,7 +88,8 @@ if os.path.exists("conserved-5e-5.fit"):
     out.add("healthy, area modulus 50 uN/m, fitted anew: largest residual",
             worst("conserved-5e-5.fit"), "error bars", 0,
             0.8, SURESH)
-for case in ("mills", "unionHealthy", "paperHealthy", "printed", *("conserved-" + m for m in MODULI)):
+for case in ("mills", "unionHealthy", "paperHealthy", "printed",
+             *("conserved-" + m for m in MODULI)):
     for row in residuals(case + ".evaluated"):
         data.append([case, SIZES[row[0]], *row[1:]])
 print("Largest residual of the printed law", worst("printed.evaluated"))

@@ -72,10 +72,17 @@ const Foam::dictionary Foam::outerCorrectors::dict() const
         usual.set("andersonDepth", 4);
     }
 
-    const dictionary given(pimpleControl::dict());
-    dictionary result(usual);
-    result.merge(given);
-    if (iterates_ && !given.found("couplingTolerance"))
+    // A copy of the case's dictionary has its name, for messages
+    dictionary result(pimpleControl::dict());
+    const bool toleranceGiven = result.found("couplingTolerance");
+    for (const entry& e : usual)
+    {
+        if (!result.found(e.keyword()))
+        {
+            result.add(e);
+        }
+    }
+    if (iterates_ && !toleranceGiven)
     {
         result.set
         (

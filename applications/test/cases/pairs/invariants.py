@@ -180,7 +180,10 @@ class Judge:
         for row in rows(case, "mean"):
             if self.row["gravity"] == "on":
                 # The mass is that of the volume at rest, the buoyancy that of the present one
-                present = sum(r["volume"] for r in shape if r["time"] == row["time"])
+                present = atRest
+                if self.row["bodies"] != "spheres":
+                    present = sum(r["volume"] for r in shape
+                                  if abs(r["time"] - row["time"]) < 1e-9)
                 impulse += (row["time"] - before)*(DENSITY*atRest - RHO*present)*np.array(GRAVITY)
             before = row["time"]
             total = RHO*self.volume*np.array([row["volAverage(U) " + c] for c in "xyz"])

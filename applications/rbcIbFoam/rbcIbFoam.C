@@ -174,8 +174,8 @@ int main(int argc, char* argv[])
             monitor.check();
             if (flow.solved())
             {
-                monitor.check(U, p, phi);
                 coupling.endStep();
+                monitor.check(U, p, phi, coupling);
             }
             cloud.moveParcels();
         }
@@ -183,6 +183,7 @@ int main(int argc, char* argv[])
         monitor.write();
         monitor.endStep();
     }
+    coupling.end();
     monitor.end();
 
     return 0;

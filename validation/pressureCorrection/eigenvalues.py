@@ -79,16 +79,6 @@ class Pass:
         for k in range(dims):
             predicted = -np.linalg.solve(M, grad[k])
             flux += div[k] @ (rAU[:, None]*((np.diag(A) - M) @ predicted))
-        # The mean over the faces of a mesh cell; on the patches the cell's own value
-        mean = np.zeros((size, size))
-        for own, nei, _, area, _, weight in faces:
-            for cell in own, nei:
-                mean[cell, own] += area*weight
-                mean[cell, nei] += area*(1 - weight)
-        for own, _, _, area, _, _ in patches:
-            mean[own, own] += area
-        mean /= mean.sum(1)[:, None]
-
         L = laplacian(rAtU)
         self.excess = flux - L
         self.corrected = np.linalg.solve(L, flux)
@@ -97,12 +87,10 @@ class Pass:
         self.beside[[p[0] for p in patches if p[5] == "open"]] = True
         several = len({p[1] for p in patches if p[5] == "open"}) > 1
         usual = (2/3 if several else 1)*np.minimum(1, 1/self.G)
-        scale = np.minimum(np.maximum(1, 1/self.G), 4)
         self.c = {
             "nu": np.eye(size),
             "0 beside the patch": np.diag(1.0 - self.beside),
             "w min(nu, 1/G)": np.diag(usual),
-            "scaled": (usual*scale)[:, None]*(np.eye(size) + mean)/2,
         }
 
     def largest(self, c):

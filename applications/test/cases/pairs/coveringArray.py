@@ -45,11 +45,21 @@ class CoveringArray:
 
     def fill(self, rng):
         left = set(self.feasible)
+        place = {factor: i for i, factor in enumerate(self.factors)}
+
+        def pairs(row, factor, level):
+            """The pairs of a level with those of a row."""
+            own = factor, level
+            return [(own, other) if place[factor] < place[other[0]] else (other, own)
+                    for other in row.items()]
 
         def choose(row, factor, levels):
-            """The level that covers most first; at random where they cover as many."""
-            return sorted(levels, key=lambda level: (
-                -len(self.pairs({**row, factor: level}) & left), rng.random()))
+            """The level that covers most first; at random where they cover as many. No row has a
+            level that forms a pair which no row can have."""
+            found = [(pairs(row, factor, level), rng.random(), level) for level in levels]
+            found = [(-len(left.intersection(new)), chance, level) for new, chance, level in found
+                     if self.feasible.issuperset(new)]
+            return [level for _, _, level in sorted(found)]
 
         while left:
             best = None

@@ -84,7 +84,6 @@ void Foam::deformableCloud::advanceAll(const scalar dt)
     for (clumpParcel& p : *this)
     {
         clumpStep& step = p.step();
-        step.deflated = false;
         if (step.guessed)
         {
             // Bonds that broke in a solution that was not accepted
@@ -234,19 +233,7 @@ void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
     {
         return;
     }
-    externalForces& ext = p.step().forces;
-
-    if (hasFluid())
-    {
-        // What acts on a clump adds a resistance that it alone has not
-        const externalForces& steady = p.step().steadyForces;
-        const bool held = tr(constraints_[p.typeId()]) > 0;
-        if (ext.f == steady.f && ext.k == steady.k && !held)
-        {
-            coupling_->deflate(p, dt, ext);
-        }
-    }
-    integrator_->advance(bonds(p), ext, dt, end);
+    integrator_->advance(bonds(p), p.step().forces, dt, end);
     ++nSolves_;
 }
 

@@ -36,8 +36,13 @@ Foam::couplingIteration::couplingIteration
     cloud_(cloud),
     flow_(flow),
     clumpsFollow_(clumpsFollow && flow.solved() && cloud.coupled()),
+    residual_(cloud, flow),
     tolerance_(0),
-    nCorrectors_(0)
+    nCorrectors_(0),
+    last_(0),
+    nSteps_(0),
+    nMissed_(0),
+    worst_(0)
 {
     if (!clumpsFollow_)
     {
@@ -84,28 +89,6 @@ Foam::scalarField Foam::couplingIteration::unknowns
 }
 
 
-Foam::scalar Foam::couplingIteration::power(const scalarField& x) const
-{
-    // The level of p is no part of it, even where a patch fixes it
-    const scalarField scale(pressureScale(flow_.nu()));
-    const SubField<scalar> p(x, p0_.size());
-    const scalar level = gSumProd(p, scale)/gSumSqr(scale);
-
-    return gSumSqr(x) - sqr(level)*gSumSqr(scale);
-}
-
-
-Foam::scalar Foam::couplingIteration::residual
-(
-    const scalarField& x,
-    const scalarField& r
-) const
-{
-    // From rest the change is all there is
-    return Foam::sqrt(gSumSqr(r)/max(max(power(x), power(x + r)), VSMALL));
-}
-
-
 void Foam::couplingIteration::add(const scalarField& change)
 {
     volScalarField& p = flow_.p();
@@ -137,12 +120,12 @@ bool Foam::couplingIteration::converged()
 {
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
-    const scalarField x(unknowns(p0_, true));
-    const scalarField r(unknowns(flow_.p(), false) - x);
-    if (residual(x, r) < tolerance_)
+    if (residual_.value(p0_) < tolerance_)
     {
         return true;
     }
+    const scalarField x(unknowns(p0_, true));
+    const scalarField r(unknowns(flow_.p(), false) - x);
     add(acceleration_->correction(x, r));
     cloud_.imposeEnd();
     return false;
@@ -174,6 +157,8 @@ bool Foam::couplingIteration::loop()
 
 void Foam::couplingIteration::beginStep()
 {
+    residual_.beginStep();
+
     // There is no pattern to be carried before the first step
     const bool started = flow_.p().time().timeIndex() > 1;
     if (clumpsFollow_ && flow_.carriesPressure() && started)
@@ -188,11 +173,43 @@ void Foam::couplingIteration::endStep()
 {
     if (clumpsFollow_)
     {
-        const scalarField x(unknowns(p0_, true));
-        const scalarField r(unknowns(flow_.p(), false) - x);
-        Info<< "Outer correctors: " << nCorrectors_ << ", residual "
-            << residual(x, r) << endl;
+        last_ = residual_.value(p0_);
+        Info<< "Outer correctors: " << nCorrectors_ << ", residual " << last_
+            << endl;
         acceleration_->clear();
+        ++nSteps_;
+        if (missed())
+        {
+            ++nMissed_;
+            worst_ = max(worst_, last_);
+            warnOfMiss();
+        }
     }
     nCorrectors_ = 0;
+}
+
+
+void Foam::couplingIteration::warnOfMiss() const
+{
+    if (nMissed_ == 1)
+    {
+        WarningInFunction
+            << "Flow and clumps do not agree to couplingTolerance " << tolerance_
+            << " in the step to time " << flow_.p().time().timeName() << ": after "
+            << nCorrectors_ << " outer correctors the residual is " << last_
+            << ". Reduce the time step, or allow more nOuterCorrectors in"
+            << " system/fvSolution. Further steps of this kind are counted." << endl;
+    }
+}
+
+
+void Foam::couplingIteration::end() const
+{
+    if (nMissed_)
+    {
+        WarningInFunction
+            << nMissed_ << " of " << nSteps_ << " steps did not reach"
+            << " couplingTolerance " << tolerance_ << ", the largest residual was "
+            << worst_ << "." << endl;
+    }
 }

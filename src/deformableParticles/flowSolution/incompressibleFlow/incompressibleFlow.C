@@ -19,7 +19,7 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
         dict,
         {
             "consistent", "momentumPredictor", "nOuterCorrectors",
-            "carryPressure", "scaleCorrection", "wallMobility",
+            "carryPressure", "wallMobility",
             "couplingTolerance", "andersonDepth",
             "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
             "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
@@ -203,7 +203,6 @@ Foam::incompressibleFlow::incompressibleFlow
 :
     solved_(present && solved),
     options_(nullptr),
-    scalesCorrection_(false),
     pRefCell_(0),
     pRefValue_(0)
 {
@@ -235,8 +234,6 @@ Foam::incompressibleFlow::incompressibleFlow
         {
             mobility_.reset(new wallMobility(*U_));
         }
-        scalesCorrection_ =
-            control_->dict().getOrDefault<Switch>("scaleCorrection", true);
     }
 }
 

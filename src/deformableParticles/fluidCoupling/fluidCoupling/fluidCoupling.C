@@ -60,13 +60,6 @@ Foam::fluidCoupling::fluidCoupling
     }
     scheme_ =
         selectModel<couplingScheme>(getDict(clumpProperties, "couplingScheme"));
-    if (scheme_->deflates())
-    {
-        for (const clumpType& type : types)
-        {
-            deflations_.append(new rigidDeflation(type));
-        }
-    }
     boundary_.reset
     (
         new immersedBoundary
@@ -253,29 +246,6 @@ void Foam::fluidCoupling::addForces
 }
 
 
-void Foam::fluidCoupling::deflate
-(
-    clumpParcel& p,
-    const scalar dt,
-    externalForces& ext
-) const
-{
-    if (deflations_.empty())
-    {
-        return;
-    }
-    p.step().deflated = true;
-    const clumpType& type = types_[p.typeId()];
-    scalarField z(ext.zeta), zR(ext.zetaR);
-    viscous(*scheme_, type, p.couplingFactor()*mu_, dt, z, zR);
-    const clumpStep& step = p.step();
-    deflations_[p.typeId()].shift
-    (
-        type, step.end, step.imposedU, step.imposedW, z, zR, dt, ext
-    );
-}
-
-
 bool Foam::fluidCoupling::turn
 (
     clumpParcel& p,
@@ -372,9 +342,7 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     const scalar own = sum(type.masses()*dd)/dt;
     const scalar inside = rho_*sum(type.volumes()*dd)/dt;
     const scalar inertia = own + inside;
-    const scalar share =
-        step.deflated ? deflations_[p.typeId()].translation() : 1;
-    const scalar ofViscosity = max(share*sum(z*dd), VSMALL);
+    const scalar ofViscosity = max(sum(z*dd), VSMALL);
     vectorField Gd(step.lastFluidForces - p.fluidForces());
     if (boundary_->addsInteriorInertia())
     {
@@ -388,7 +356,7 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     const bool locked = !boundary_->dilates();
     const scalar stiffest =
         locked && fluid > 0
-      ? sum(magSqr(Gd)/(share*z + rho_*type.volumes()/dt))/fluid
+      ? sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid
       : q;
     if (max(q, stiffest) <= 1.5)
     {

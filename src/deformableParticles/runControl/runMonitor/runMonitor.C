@@ -85,11 +85,13 @@ void Foam::runMonitor::check
 (
     const volVectorField& U,
     const volScalarField& p,
-    const surfaceScalarField& phi
+    const surfaceScalarField& phi,
+    const couplingIteration& coupling
 )
 {
     const timeBreakdown::timer t(timing_, "checks");
     watchdog_.check(report_.continuityError(), U, p, phi);
+    watchdog_.checkCoupling(coupling.residual(), coupling.tolerance());
 }
 
 

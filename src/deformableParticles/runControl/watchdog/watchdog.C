@@ -180,6 +180,28 @@ void Foam::watchdog::checkContinuity
 }
 
 
+void Foam::watchdog::checkCoupling
+(
+    const scalar residual,
+    const scalar tolerance
+)
+{
+    const word key("couplingResidual");
+    const bool far = tolerance > 0 && residual > 5*tolerance;
+    const scalar before = state_.getOrDefault<scalar>(key, GREAT);
+
+    halve(halves_ || (far && residual < 0.9*before));
+    if (far)
+    {
+        state_.set(key, residual);
+    }
+    else
+    {
+        state_.remove(key);
+    }
+}
+
+
 void Foam::watchdog::checkGrowth
 (
     const volVectorField& U,

@@ -21,7 +21,6 @@ namespace couplingSchemes
 Foam::couplingSchemes::robin::robin(const dictionary& dict)
 :
     coefficient_(0),
-    deflates_(dict.getOrDefault("deflateRigidMotion", true)),
     turns_(dict.getOrDefault("turnVelocities", true))
 {
     const dictionary entries
@@ -31,7 +30,7 @@ Foam::couplingSchemes::robin::robin(const dictionary& dict)
     checkEntries
     (
         entries,
-        {"type", "coefficient", "deflateRigidMotion", "turnVelocities"}
+        {"type", "coefficient", "turnVelocities"}
     );
     coefficient_ = getNonNegativeOrDefault(entries, "coefficient", 1);
 }

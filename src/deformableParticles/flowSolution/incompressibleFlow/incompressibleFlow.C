@@ -228,6 +228,7 @@ Foam::incompressibleFlow::incompressibleFlow
 
     if (solved_)
     {
+        unsolvedPhysics::refuseDriving(*options_, nu());
         solverSettings::check(*p_);
         solverSettings::check(*U_);
         if (control_->dict().getOrDefault<Switch>("carryPressure", true))

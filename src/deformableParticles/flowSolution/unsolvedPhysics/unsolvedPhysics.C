@@ -5,8 +5,10 @@
 
 #include "unsolvedPhysics.H"
 #include "dynamicRefineFvMesh.H"
+#include "fvOptionList.H"
 #include "IOdictionary.H"
 #include "Switch.H"
+#include "volFields.H"
 
 namespace
 {
@@ -135,6 +137,32 @@ void Foam::unsolvedPhysics::refuseSwitches(const dictionary& control)
                 << "Entry '" << s.name << "' is " << Switch(!s.value)
                 << "; valid: " << Switch(s.value) << ", because " << s.reason
                 << ". Remove the entry." << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::unsolvedPhysics::refuseDriving
+(
+    const fv::optionList& options,
+    const volScalarField& nu
+)
+{
+    const fvMesh& mesh = nu.mesh();
+    const scalar viscousNumber =
+        mesh.time().deltaTValue()*gMax(nu.primitiveField())
+       /sqr(Foam::cbrt(gMin(mesh.V())));
+
+    for (const fv::option& option : options)
+    {
+        if (option.type() == "meanVelocityForce" && viscousNumber > 12)
+        {
+            FatalErrorInFunction
+                << "The fvOption " << option.name() << " is a meanVelocityForce, which"
+                << " is unstable here: the viscous number nu dt/dx^2 is "
+                << viscousNumber << ", above 12." << nl
+                << "    Set type meanVelocityGradient, with the same Ubar and fields."
+                << exit(FatalError);
         }
     }
 }

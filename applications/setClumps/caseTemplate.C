@@ -135,8 +135,10 @@ void Foam::caseTemplate::choosePosition(const clumpType& type)
     if (clearance <= 1.02*type.reach())
     {
         FatalErrorInFunction
-            << unitHint(2*type.reach()).c_str() << nl << "    No place is farther than "
-            << rounded(clearance).c_str() << " m from walls and open patches: the clump does not fit."
+            << unitHint(2*type.reach()).c_str() << nl
+            << "    No place is farther than "
+            << rounded(clearance).c_str() << " m from walls and open patches: the clump"
+            << " does not fit."
             << exit(FatalError);
     }
     if (resolution < leastResolution)
@@ -210,9 +212,9 @@ bool Foam::caseTemplate::checkFluid() const
         if (nu > 1e-2 || nu < 1e-8)
         {
             IOWarningInFunction(transport)
-                << "The kinematic viscosity nu is " << rounded(nu).c_str() << " m2/s, which no liquid"
-                << " has (water: 1e-6, blood plasma: 1.2e-6, glycerine: 1e-3). Is it in"
-                << " another unit?" << endl;
+                << "The kinematic viscosity nu is " << rounded(nu).c_str()
+                << " m2/s, which no liquid has (water: 1e-6, blood plasma: 1.2e-6,"
+                << " glycerine: 1e-3). Is it in another unit?" << endl;
         }
     }
     return transport.found("rho");

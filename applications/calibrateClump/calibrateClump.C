@@ -17,6 +17,9 @@ Description
     the ending .fit or .evaluated (and n):
 
         clumpType       the fitted type, to be copied to constant/clumpProperties
+        loads           the entry loads of clumpProperties with which a case repeats the
+                        experiment at the last abscissa (several variants: loads0, ...);
+                        the type has the name fitted
         residuals.csv   the residual of every point
         curve.csv       a smooth curve
 
@@ -119,6 +122,46 @@ label writeCurve
         }
     }
     return unstable;
+}
+
+
+//- The load at the last abscissa, of each variant, with the places of the spheres that
+//  are pulled
+void writeLoads
+(
+    const fileName& folder,
+    const mechanicalTest& test,
+    const measurement& data,
+    const fit& solution,
+    const Eigen::VectorXd& y
+)
+{
+    for (label v = 0; v < solution.nVariants(); ++v)
+    {
+        const bondedClump clump("fit", solution.type(y, v));
+        const dictionary loads(test.loads(clump.bonds, data.abscissas().last()));
+        const fileName file
+        (
+            "loads" + (solution.nVariants() > 1 ? Foam::name(v) : word())
+        );
+        OFstream os(folder/file);
+        Info<< nl << file << nl;
+        loads.write(os, false);
+        loads.write(Info, false);
+
+        for (const entry& e : loads)
+        {
+            for (const word key : {"plus", "minus"})
+            {
+                for (const label i : e.dict().get<labelList>(key))
+                {
+                    Info<< "// " << key << ": sphere " << i << " of "
+                        << clump.type.size() << ", at "
+                        << clump.type.centres()[i] << " m at rest" << nl;
+                }
+            }
+        }
+    }
 }
 
 
@@ -248,6 +291,7 @@ int main(int argc, char* argv[])
         OFstream os(folder/"clumpType");
         solution.type(y).write(os, false);
     }
+    writeLoads(folder, *test, data, solution, y);
 
     Info<< nl << data.points().size() << " points of " << data.file() << nl << nl
         << "parameter" << tab << "value" << tab << "+-" << nl;

@@ -18,9 +18,15 @@ Description
     time are replaced; those that a run has written only with the option -overwrite.
 
     rbcIbFoam places the clumps by itself where the start time has none.
+
+    With -template <name> it only writes constant/clumpProperties with a single clump
+    into a case that has none (see caseTemplate): a cell of
+    $WM_PROJECT_USER_DIR/etc/cells, for example healthy, or a bead, with
+    -diameter <d> [m].
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "caseTemplate.H"
 #include "deformableCloud.H"
 #include "surfaceCrossing.H"
 #include "timeDirectories.H"
@@ -31,13 +37,41 @@ int main(int argc, char* argv[])
     argList::addNote("Place the clumps of constant/clumpProperties");
     argList::addBoolOption
     (
-        "overwrite", "Replace clumps that a run has written"
+        "overwrite",
+        "Replace clumps that a run has written, or with -template clumpProperties"
     );
+    argList::addOption
+    (
+        "template",
+        "name",
+        "Write a constant/clumpProperties with a clump: healthy, bead, ..."
+    );
+    argList::addOption("diameter", "m", "Of the template bead");
 
     #include "setRootCase.H"
     #include "createTime.H"
     timeDirectories::refuseUncopied(runTime);
     #include "createMesh.H"
+
+    if (args.found("template"))
+    {
+        if (Pstream::parRun())
+        {
+            FatalErrorInFunction
+                << "The option -template is for one processor."
+                << exit(FatalError);
+        }
+        caseTemplate
+        (
+            mesh, args.get<word>("template"), args.getOrDefault<scalar>("diameter", 0)
+        ).write(args.found("overwrite"));
+        return 0;
+    }
+    if (args.found("diameter"))
+    {
+        FatalErrorInFunction
+            << "The option -diameter belongs to -template bead." << exit(FatalError);
+    }
 
     const fileName folder(runTime.timePath()/Foam::cloud::prefix/"clumps");
     if

@@ -41,7 +41,7 @@ Foam::scalar Foam::mechanicalTests::relaxation::ratio
 }
 
 
-bool Foam::mechanicalTests::relaxation::stretch
+Foam::scalar Foam::mechanicalTests::relaxation::stretch
 (
     const clumpBonds& bonds,
     clumpState& s
@@ -69,7 +69,7 @@ bool Foam::mechanicalTests::relaxation::stretch
         high *= 2;
         if (high > 1e4*b.stiffness.normal*b.length)
         {
-            return false;
+            return -1;
         }
     }
     while (high - low > 1e-9*high)
@@ -77,7 +77,7 @@ bool Foam::mechanicalTests::relaxation::stretch
         const scalar middle = 0.5*(low + high);
         (ratioAt(middle) < initialRatio_ ? low : high) = middle;
     }
-    return true;
+    return high;
 }
 
 
@@ -96,7 +96,7 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
     }
 
     clumpState s(type);
-    if (!stretch(bonds, s))
+    if (stretch(bonds, s) < 0)
     {
         return result;
     }
@@ -121,5 +121,22 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
         result[0][k] = ratio(type, s);
     }
 
+    return result;
+}
+
+
+Foam::dictionary Foam::mechanicalTests::relaxation::loads
+(
+    const clumpBonds& bonds,
+    const scalar
+) const
+{
+    clumpState s(bonds.type());
+    const scalar force = stretch(bonds, s);
+    dictionary result;
+    if (force > 0)
+    {
+        result.set("untilRelease", oppositeForces(bonds.type(), force));
+    }
     return result;
 }

@@ -61,3 +61,15 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
 
     return result;
 }
+
+
+Foam::dictionary Foam::mechanicalTests::stretching::loads
+(
+    const clumpBonds& bonds,
+    const scalar force
+) const
+{
+    dictionary result;
+    result.set("stretch", oppositeForces(bonds.type(), force));
+    return result;
+}

@@ -15,6 +15,7 @@
 #include "OSspecific.H"
 #include "placement.H"
 #include "surfaceCrossing.H"
+#include "unreadEntries.H"
 #include "uniformDimensionedFields.H"
 
 namespace Foam
@@ -46,6 +47,62 @@ IOdictionary readProperties(const fvMesh& mesh)
 }
 
 
+//- constant/g, zero where it is absent
+vector gravityOf(const fvMesh& mesh)
+{
+    const anyNumber overflow;
+    const uniformDimensionedVectorField g
+    (
+        IOobject
+        (
+            "g", mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE, false
+        ),
+        dimensionedVector(dimAcceleration, Zero)
+    );
+    if (g.dimensions() != dimAcceleration || !physical(g.value()))
+    {
+        FatalErrorInFunction
+            << "The acceleration in " << g.objectPath() << " is "
+            << g.dimensions() << ' ' << g.value() << "; it must be finite and"
+            << " have the dimensions " << dimAcceleration << exit(FatalError);
+    }
+    return g.value();
+}
+
+
+//- The law of a contact model that the case does not choose: an overlap of 5 % of a
+//  radius under the stress of the densest suspension of red cells at 500 1/s (see
+//  hertz), or under the weight of a pile as high as the mesh if that is larger
+dictionary usualContact(const fvMesh& mesh, const dictionary& dict)
+{
+    const anyNumber overflow;
+    scalar density = 0;
+    for (const entry& e : dict.subOrEmptyDict("types"))
+    {
+        const dictionary* type = e.isDict() ? &e.dict() : nullptr;
+        const entry* given =
+            type ? type->findEntry("density", keyType::LITERAL) : nullptr;
+        scalar value = 0;
+        if (given && given->isStream() && given->stream().size() == 1)
+        {
+            const token& t = given->stream()[0];
+            value = t.isNumber() ? t.number() : 0;
+        }
+        density = max(density, value);
+    }
+    const scalar weight =
+        density*(cmptMag(gravityOf(mesh)) & mesh.bounds().span());
+
+    dictionary law;
+    law.set("type", "hertz");
+    law.set("allowedOverlap", 0.05);
+    law.set("stress", min(max(weight, scalar(60)), largestEntry));
+    law.set("restitution", 0.5);
+    return law;
+}
+
+
 //- The models of a case that does not choose others
 dictionary accurateModels()
 {
@@ -69,7 +126,6 @@ dictionary accurateModels()
 //- Add the entries that dict lacks, whole models and not parts of them
 void complete(dictionary& dict, const dictionary& usual)
 {
-    refuseMisspelt(dict, usual.toc());
     for (const entry& e : usual)
     {
         dictionary* given = dict.findDict(e.keyword(), keyType::LITERAL);
@@ -87,16 +143,27 @@ void complete(dictionary& dict, const dictionary& usual)
 
 //- With present names, and with the accurate models where there are none. Other
 //  entries of the file are the user's own, to be referred to
-dictionary presentEntries(const dictionary& dict)
+dictionary presentEntries(const fvMesh& mesh, const dictionary& dict)
 {
     dictionary result
     (
         withPresentNames(dict, {{"exchange", "couplingScheme"}})
     );
-    complete(result, accurateModels());
-    refuseMisspelt
+    accuracyLevel::refuseOldEntry(result);
+    if (result.found("aggregation"))
+    {
+        FatalIOErrorInFunction(result)
+            << "Entry 'aggregation': there is no model of the attraction between"
+            << " clumps any more. Remove the entry; 'lubrication' is the only one"
+            << " that acts across gaps." << exit(FatalIOError);
+    }
+    refuseUnread
     (
         result,
+        typeFilePath<IOdictionary>
+        (
+            IOobject("clumpProperties", mesh.time().constant(), mesh)
+        ),
         {
             "types", "placement", "injection", "integrator", "contactModel",
             "wallContactModel", "lubrication", "loads", "effects",
@@ -104,12 +171,15 @@ dictionary presentEntries(const dictionary& dict)
             "typesMayChange", "accuracyLevel", "rho"
         }
     );
-    if (result.found("aggregation"))
+    complete(result, accurateModels());
+    for (const word family : {"contactModel", "wallContactModel"})
     {
-        FatalIOErrorInFunction(result)
-            << "Entry 'aggregation': there is no model of the attraction between"
-            << " clumps any more. Remove the entry; 'lubrication' is the only one"
-            << " that acts across gaps." << exit(FatalIOError);
+        if (!result.found(family))
+        {
+            result.add(family, usualContact(mesh, dict));
+            Info<< family << ": hertz, with an overlap of 5 % of a radius under "
+                << result.subDict(family).get<scalar>("stress") << " Pa" << endl;
+        }
     }
     return result;
 }
@@ -135,7 +205,7 @@ Foam::deformableCloud::deformableCloud
     // No floating point trap while the base class reads the files
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
-    dict_(presentEntries(dict)),
+    dict_(presentEntries(mesh, dict)),
     g_(Zero),
     effects_(dict_),
     ghosts_(mesh),
@@ -148,8 +218,6 @@ Foam::deformableCloud::deformableCloud
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
 {
-    accuracyLevel::refuseOldEntry(dict_);
-
     effects_.decide(dict_, mesh);
     readTypes();
     readLoads();
@@ -213,6 +281,11 @@ Foam::deformableCloud::deformableCloud
     {
         checkStart();
     }
+    if (dict_.found("injection"))
+    {
+        // Before the first of them is there
+        ghostExchange::checkPatches(mesh.boundaryMesh());
+    }
     if (coupled())
     {
         coupling_->boundary().checkResolution(ghosts_.images());
@@ -260,23 +333,7 @@ Foam::word Foam::deformableCloud::findName
 
 void Foam::deformableCloud::readGravity()
 {
-    const anyNumber overflow;
-    const uniformDimensionedVectorField g
-    (
-        IOobject
-        (
-            "g", mesh_.time().constant(), mesh_, IOobject::READ_IF_PRESENT
-        ),
-        dimensionedVector(dimAcceleration, Zero)
-    );
-    if (g.dimensions() != dimAcceleration || !physical(g.value()))
-    {
-        FatalErrorInFunction
-            << "The acceleration in " << g.objectPath() << " is "
-            << g.dimensions() << ' ' << g.value() << "; it must be finite and"
-            << " have the dimensions " << dimAcceleration << exit(FatalError);
-    }
-    g_ = g.value();
+    g_ = gravityOf(mesh_);
 }
 
 

@@ -174,15 +174,31 @@ void Foam::ghostExchange::findShifts()
         [&](vector& a, const vector& b) { a = keepOne(a, b); }
     );
 
-    shifts_ = List<vector>(1, vector::zero);
+    // A periodic end may consist of several pairs, with one separation
+    DynamicList<vector> different;
     for (const word& name : separations.sortedToc())
+    {
+        const vector& s = separations[name];
+        bool fresh = true;
+        for (const vector& other : different)
+        {
+            fresh = fresh && mag(s - other) > 1e-6*mag(s);
+        }
+        if (fresh)
+        {
+            different.append(s);
+        }
+    }
+
+    shifts_ = List<vector>(1, vector::zero);
+    for (const vector& separation : different)
     {
         const List<vector> before(shifts_);
         for (const scalar sign : {1.0, -1.0})
         {
             for (const vector& s : before)
             {
-                shifts_.append(s + sign*separations[name]);
+                shifts_.append(s + sign*separation);
             }
         }
     }

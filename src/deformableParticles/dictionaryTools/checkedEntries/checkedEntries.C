@@ -5,10 +5,8 @@
 
 #include "checkedEntries.H"
 #include "dimensionedScalar.H"
-#include "FlatOutput.H"
-#include "DynamicList.H"
 #include "messageStream.H"
-#include <vector>
+#include "unreadEntries.H"
 
 namespace
 {
@@ -44,29 +42,6 @@ scalar positive(const dictionary& dict, const word& key, const scalar value)
         dict, key, value, smallestEntry, largestEntry,
         "above 0 (1e-40 to 1e40)"
     );
-}
-
-
-//- Letters to insert, delete or change to turn one word into the other
-size_t distance(const std::string& a, const std::string& b)
-{
-    std::vector<size_t> row(b.size() + 1);
-    for (size_t j = 0; j <= b.size(); ++j)
-    {
-        row[j] = j;
-    }
-    for (size_t i = 1; i <= a.size(); ++i)
-    {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b.size(); ++j)
-        {
-            const size_t change = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            row[j] = std::min(change, 1 + std::min(row[j], row[j - 1]));
-        }
-    }
-    return row[b.size()];
 }
 
 
@@ -106,13 +81,14 @@ void Foam::refuseMisspelt(const dictionary& dict, const wordList& known)
         }
         for (const word& meant : known)
         {
-            if (!dict.found(meant) && distance(key, meant) < 2 + meant.size()/8)
+            // Beside the entry that is meant, one letter is enough
+            if
+            (
+                spellingDistance(key, meant)
+              < (dict.found(meant) ? 2 : 2 + meant.size()/8)
+            )
             {
-                FatalIOErrorInFunction(dict)
-                    << "Unknown entry '" << key << "' in dictionary "
-                    << dict.name() << ". Did you mean '" << meant << "'?" << nl
-                    << "Valid entries: " << flatOutput(known)
-                    << exit(FatalIOError);
+                refuseUnread(dict, key, known);
             }
         }
     }
@@ -128,21 +104,12 @@ void Foam::checkEntries
 {
     wordList valid(known);
     valid.append(derived);
-    refuseMisspelt(dict, valid);
-
-    DynamicList<word> unused;
     for (const entry& e : dict)
     {
         if (!e.keyword().isPattern() && !valid.found(e.keyword()))
         {
-            unused.append(e.keyword());
+            refuseUnread(dict, e.keyword(), valid);
         }
-    }
-    if (unused.size())
-    {
-        IOWarningInFunction(dict)
-            << "The following entries are not used: " << flatOutput(unused) << nl
-            << "    Valid entries: " << flatOutput(valid) << endl;
     }
 }
 

@@ -11,6 +11,7 @@
 #include "fvmLaplacian.H"
 #include "initialPressure.H"
 #include "solverSettings.H"
+#include "unsolvedPhysics.H"
 
 void Foam::incompressibleFlow::check(const dictionary& dict)
 {
@@ -29,6 +30,7 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
             "checkMeshCourantNo", "moveMeshOuterCorrectors"
         }
     );
+    unsolvedPhysics::refuseSwitches(dict);
     for (const word key : {"nOuterCorrectors", "nCorrectors"})
     {
         if (dict.found(key))
@@ -210,6 +212,7 @@ Foam::incompressibleFlow::incompressibleFlow
     {
         return;
     }
+    unsolvedPhysics::refuse(mesh);
     check
     (
         mesh.solutionDict().subOrEmptyDict(outerCorrectors::dictionaryName(mesh))
@@ -224,6 +227,7 @@ Foam::incompressibleFlow::incompressibleFlow
 
     if (solved_)
     {
+        unsolvedPhysics::refuseDriving(*options_, nu());
         solverSettings::check(*p_);
         solverSettings::check(*U_);
         if (control_->dict().getOrDefault<Switch>("carryPressure", true))

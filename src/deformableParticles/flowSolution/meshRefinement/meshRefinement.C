@@ -9,6 +9,7 @@
 #include "foamCompat.H"
 #include "incompressibleFlow.H"
 #include "processorCyclicPolyPatch.H"
+#include "unsolvedPhysics.H"
 
 namespace
 {
@@ -129,11 +130,7 @@ void Foam::refineAroundClumps
         changed = mesh.update();
         if (mesh.moving())
         {
-            FatalErrorInFunction
-                << "The points of the mesh move: " << mesh.type() << " in "
-                << time.constant()/"dynamicMeshDict" << '.' << nl
-                << "    Clumps can be used with meshes that are refined"
-                << " (dynamicRefineFvMesh) or do not change." << exit(FatalError);
+            unsolvedPhysics::refuseMotion(mesh);
         }
         if (changed)
         {

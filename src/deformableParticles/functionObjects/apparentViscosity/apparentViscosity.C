@@ -53,7 +53,12 @@ Foam::functionObjects::apparentViscosity::header() const
     return
         tableHeader("Apparent viscosity")
        .add("tau", "Pa").add("rate", "1/s").add("mu", "Pa.s").add("muRel")
-       .add("Ub", "m/s");
+       .add("Ub", "m/s")
+       .explain("tau rate", "stress at the walls, and the shear rate there of a Newtonian"
+            " fluid with the same mean velocity (drive pressure) or the same velocity of"
+            " the walls (drive shear)")
+       .explain("mu muRel", "tau/rate, and this over the viscosity of the fluid")
+       .explain("time Ub", "mean velocity of fluid and clumps along the flow");
 }
 
 

@@ -45,7 +45,9 @@ Foam::functionObjects::cellFreeLayer::header() const
 {
     return
         tableHeader("Width of the layer at the walls without clumps")
-       .add("layer", "m").add("deviation", "m").add("least", "m");
+       .add("layer", "m").add("deviation", "m").add("least", "m")
+       .explain("time layer deviation least", "mean distance from the walls to the edge of"
+            " the clumps over stations and directions, its standard deviation, the least");
 }
 
 

@@ -36,7 +36,11 @@ Foam::functionObjects::clumpForce::header() const
         tableHeader("Force of the fluid on each clump")
        .addVector("F", "N").addVector("T", "N.m")
        .addVector("", "m").addVector("U", "m/s")
-       .add("drag", "N").add("lift", "N");
+       .add("drag", "N").add("lift", "N")
+       .explain("Fx Fy Fz Tx Ty Tz", "force of the fluid, and its torque about the centre"
+            " of mass")
+       .explain("x y z Ux Uy Uz", "position and velocity of the centre of mass")
+       .explain("drag lift", "force along flow and gradient");
 }
 
 

@@ -271,11 +271,20 @@ Foam::functionObjects::clumpMigration::header() const
     tableHeader result("Migration of clumps across the stream");
     result
        .add("time", "s").add("clump").add("type").add("along", "m")
-       .add("across", "m").add("drift", "m/s").add("angle", "degrees");
+       .add("across", "m").add("drift", "m/s").add("angle", "degrees")
+       .explain("time clump type", "number of the clump (-1: mean) and name of its type")
+       .explain("along across", "centre of mass along flow and gradient, without jumps at"
+            " periodic boundaries")
+       .explain("drift angle", "velocity across, and angle of the path against the stream,"
+            " over the window of time");
     if (length_)
     {
         result
-           .add("periods").add("shift", "m").add("displacement").add("mode");
+           .add("periods").add("shift", "m").add("displacement").add("mode")
+           .explain("periods shift", "way along over the period of the posts, and lateral"
+                " shift per period")
+           .explain("displacement mode", "shift over that of the rows of posts: displaced"
+                " above 3/4, withFlow below 1/4, or between");
     }
     return result;
 }

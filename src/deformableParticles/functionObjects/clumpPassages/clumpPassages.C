@@ -27,7 +27,12 @@ functionObjects::tableHeader header()
     return
         functionObjects::tableHeader("Clumps that have entered and left")
        .add("time", "s").add("clump").add("type").add("event").add("patch")
-       .addVector("", "m").addVector("U", "m/s").add("inside");
+       .addVector("", "m").addVector("U", "m/s").add("inside")
+       .explain("time clump type", "number of the clump and name of its type")
+       .explain("event patch", "entered or left, through which patch; none for a clump put"
+            " inside the mesh")
+       .explain("x y z Ux Uy Uz", "position and velocity of the centre of mass")
+       .explain("inside", "number of clumps in the mesh after it");
 }
 
 }

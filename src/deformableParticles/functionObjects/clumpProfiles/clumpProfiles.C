@@ -46,9 +46,16 @@ Foam::functionObjects::clumpProfiles::header() const
 {
     tableHeader result("Profiles of haematocrit and velocity");
     result.add("bin").add("s", "m").add("H").add("U", "m/s").add("Uc", "m/s");
+    result
+       .explain("time bin s", "number of the bin, and its middle across the stream, from"
+            " the axis of a tube or the lower wall of a slit")
+       .explain("H", "volume of the clumps in the bin over that of the bin")
+       .explain("U Uc", "mean velocity along the flow of fluid and clumps, and of the"
+            " spheres in the bin; nan where there are none");
     for (const clumpType& type : cloud().types())
     {
         result.add("H_" + type.name());
+        result.explain("H_" + type.name(), "H of this type of clump");
     }
     return result;
 }

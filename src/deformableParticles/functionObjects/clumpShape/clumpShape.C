@@ -114,7 +114,16 @@ Foam::functionObjects::clumpShape::header() const
        .addVector("L", "m").add("L1", "m").add("L2", "m").add("L3", "m")
        .addVector("axis").addVector("omega", "rad/s")
        .add("TaylorDeformation").add("inclination", "rad").add("phase", "rad")
-       .add("area", "m2").add("volume", "m3");
+       .add("area", "m2").add("volume", "m3")
+       .explain("Lx Ly Lz L1 L2 L3", "extents along the coordinate axes, and along the"
+            " principal axes, longest first")
+       .explain("axisx axisy axisz omegax omegay omegaz", "longest principal axis, and"
+            " angular velocity")
+       .explain("TaylorDeformation inclination", "|L1 - L2|/(L1 + L2), and angle of the"
+            " longest axis to the flow")
+       .explain("phase", "angle of the marked sphere to the flow, seen from the centre")
+       .explain("area volume", "of the polygon of the sphere centres, and of the union of"
+            " the spheres");
 }
 
 

@@ -127,7 +127,9 @@ bool Foam::functionObjects::clumpTable::write()
 
         const tableHeader further(header());
         tableHeader all(further.title());
-        all.add("time", "s").add("clump").add("type").add(further);
+        all.add("time", "s").add("clump").add("type")
+           .explain("time clump type", "number of the clump and name of its type")
+           .add(further);
         Ostream& os = table_.open(all);
         const SortableList<label> order(id);
         forAll(order, k)

@@ -36,7 +36,12 @@ Foam::functionObjects::contactStress::header() const
     return
         tableHeader("Contacts of clumps")
        .add("contacts").add("deepest").add("wall").add("shear", "Pa")
-       .add("flow", "Pa").add("gradient", "Pa").add("vorticity", "Pa");
+       .add("flow", "Pa").add("gradient", "Pa").add("vorticity", "Pa")
+       .explain("time contacts", "number of pairs of spheres of two clumps that touch")
+       .explain("deepest wall", "deepest overlap of two clumps, and with a wall, over the"
+            " radius of the smaller sphere")
+       .explain("shear", "component flow-gradient of the stress that contacts transfer")
+       .explain("flow gradient vorticity", "its normal components; pressure is negative");
 }
 
 

@@ -34,10 +34,20 @@ Foam::functionObjects::haematocrit::header() const
 {
     tableHeader result("Tube and discharge haematocrit");
     result.add("Ht").add("Hd").add("HtHd").add("phi")
-       .add("Ub", "m/s").add("Uc", "m/s");
+       .add("Ub", "m/s").add("Uc", "m/s")
+       .explain("time Ht Hd", "tube haematocrit (nominal volume of the clumps over that of"
+            " the mesh), and discharge haematocrit (of what flows)")
+       .explain("HtHd phi", "Ht/Hd, and volume of the unions of the spheres over that of"
+            " the mesh")
+       .explain("Ub Uc", "mean velocity of fluid and clumps, and of the clumps, along the"
+            " flow");
     for (const clumpType& type : cloud().types())
     {
         result.add("Ht_" + type.name()).add("Hd_" + type.name());
+        result.explain
+        (
+            "Ht_" + type.name() + " Hd_" + type.name(), "of this type of clump"
+        );
     }
     return result;
 }

@@ -58,6 +58,30 @@ functionObjects::tableHeader header()
     result.addVector("momentum", "N.s");
     result.addVector("impulse", "N.s");
     result.add("integralError");
+
+    const auto of = [](const string& name)
+    {
+        return name + "x " + name + "y " + name + "z";
+    };
+    result
+       .explain("time " + of("clumpsRate"), "change of momentum of the clumps per time:"
+            " the sum of the next four")
+       .explain(of("fluid") + ' ' + of("interior"), "force of the fluid on the spheres,"
+            " and inertia of the fluid inside them")
+       .explain(of("coupling") + ' ' + of("applied"), "force of the coupling scheme, and"
+            " contacts, loads and gravity")
+       .explain(of("fluidRate"), "change of momentum of the fluid per time: the sum of the"
+            " next three")
+       .explain(of("forcing") + ' ' + of("patches") + ' ' + of("sources"), "force of the"
+            " clumps, pressure and stress on the patches, fvOptions")
+       .explain("thirdLawError", "|fluid + forcing|; as all errors over the sum of the"
+            " magnitudes of all forces")
+       .explain("clumpsError fluidError couplingError totalError", "of the two balances,"
+            " |coupling|, and of the sum of both balances")
+       .explain(of("momentum") + ' ' + of("impulse"), "of fluid and clumps, and of applied,"
+            " patches and sources since the start of the run")
+       .explain("integralError", "difference of this impulse and the change of the"
+            " momentum");
     return result;
 }
 

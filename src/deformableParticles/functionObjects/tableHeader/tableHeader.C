@@ -34,8 +34,21 @@ Foam::functionObjects::tableHeader::addVector
 
 
 Foam::functionObjects::tableHeader&
+Foam::functionObjects::tableHeader::explain
+(
+    const string& columns,
+    const string& meaning
+)
+{
+    explanations_.append(columns + ": " + meaning);
+    return *this;
+}
+
+
+Foam::functionObjects::tableHeader&
 Foam::functionObjects::tableHeader::add(const tableHeader& further)
 {
+    explanations_.append(further.explanations_);
     forAll(further.names_, i)
     {
         add(further.names_[i], further.units_[i]);
@@ -46,7 +59,12 @@ Foam::functionObjects::tableHeader::add(const tableHeader& further)
 
 void Foam::functionObjects::tableHeader::write(Ostream& os) const
 {
-    os << "# " << title_.c_str() << nl << "# ";
+    os << "# " << title_.c_str() << nl;
+    for (const string& line : explanations_)
+    {
+        os << "#   " << line.c_str() << nl;
+    }
+    os << "# ";
     forAll(names_, i)
     {
         os << (i ? "\t" : "") << names_[i].c_str();

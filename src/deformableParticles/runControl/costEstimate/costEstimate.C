@@ -44,16 +44,16 @@ void Foam::costEstimate::printOthers
 
     Info<< "    With other settings the run would take" << nl;
     printLine("half the time step                ", 2*n*step,
-        ", half the error of the step");
+        ", half the error of rotation and drift");
     printLine("twice the time step               ", 0.5*n*step,
-        ", twice the error of the step");
+        ", twice the error of rotation and drift");
     if (nOuterCorrectors_)
     {
         const scalar finer = Foam::pow(2.0, 3.7);
         printLine("half the mesh cell width          ", n*(finer*mesh + clumps),
-            ", a quarter of the error of the mesh");
+            ", a quarter of the error of the drag");
         printLine("twice the mesh cell width         ", n*(mesh/finer + clumps),
-            ", four times the error of the mesh");
+            ", four times the error of the drag");
         printLine("one outer corrector more          ",
             n*(mesh*(1 + 1.0/nOuterCorrectors_) + clumps),
             ", a smaller error of coupling and pressure in a step");
@@ -61,7 +61,10 @@ void Foam::costEstimate::printOthers
             ", with the flow of the start time");
     }
     printLine("twice the spheres per clump       ", n*(mesh + 2*clumps),
-        ", a quarter of the error of the shape");
+        ", a quarter of the error of stretching");
+    Info<< "    Rotation and drift across the stream are those of a clump in shear, the"
+        << " drag that of a" << nl << "    clump at rest, stretching that by two opposite"
+        << " forces; doc/accuracy.md has the errors" << nl;
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "runMonitor.H"
+#include "functionNames.H"
 #include "logBuffer.H"
 
 void Foam::runMonitor::addOptions()
@@ -42,7 +43,9 @@ Foam::runMonitor::runMonitor
     report_(runTime, cloud, args.found("quiet")),
     watchdog_(runTime, cloud),
     estimate_(runTime, cloud, args.found("estimate"), nOuterCorrectors)
-{}
+{
+    functionNames::check(runTime);
+}
 
 
 void Foam::runMonitor::start() const

@@ -5,6 +5,8 @@
 
 #include "clumpPacking.H"
 #include "bondFrame.H"
+#include "clockTime.H"
+#include "endSignal.H"
 #include "foamCompat.H"
 #include "sphereGrid.H"
 #include "mathematicalConstants.H"
@@ -22,6 +24,44 @@ const scalar maxStep = 0.1;
 
 //- Deepest overlap with which the clumps grow on, in radii
 const scalar growOverlap = 0.05;
+
+//- Steps without growth after which the clumps do not fit
+const label patience = 2000;
+
+
+//- Lines of progress, and the end of a run that received a signal
+class progress
+{
+    clockTime clock_;
+    scalar said_ = 0;
+
+public:
+
+    //- After a step: one line in two seconds
+    void say(const label step, const scalar size, const scalar deepest, const label since)
+    {
+        const label signal = returnReduce(endSignal::received(), maxOp<label>());
+        if (signal)
+        {
+            Info<< "--> Signal " << signal << " received: the clumps are not packed, and"
+                << " nothing is written" << nl << endl;
+            UPstream::exit(128 + signal);
+        }
+        if (clock_.elapsedTime() > said_ + 2)
+        {
+            said_ = clock_.elapsedTime();
+            Info<< "    step " << step << ": " << 0.1*round(1000*size)
+                << " % of the size, deepest overlap " << 0.01*round(100*deepest)
+                << " radii";
+            if (since > 200)
+            {
+                Info<< ", no growth in " << since << " steps (the end: "
+                    << patience << ')';
+            }
+            Info<< ", " << label(said_) << " s" << endl;
+        }
+    }
+};
 
 }
 
@@ -308,15 +348,17 @@ Foam::scalar Foam::clumpPacking::pack
 
     setBodies(true);
     scale_ = startScale();
-    while (nSteps_ < 300 && findContacts() > growOverlap)
+    progress told;
+    while (nSteps_ < 300 && (deepest = findContacts()) > growOverlap)
     {
         moveAll();
+        told.say(nSteps_, scale_, deepest, 0);
     }
 
     setBodies(false);
     scalar reached = 0;
     label sinceGrowth = 0;
-    while (reached < 1 && ++sinceGrowth < 2000)
+    while (reached < 1 && ++sinceGrowth < patience)
     {
         deepest = findContacts();
         if (deepest <= (scale_ < 1 ? growOverlap : maxOverlap))
@@ -329,12 +371,7 @@ Foam::scalar Foam::clumpPacking::pack
         {
             moveAll();
         }
-        if (nSteps_ % 100 == 0)
-        {
-            Info<< "    step " << nSteps_ << ": " << 0.1*round(1000*scale_)
-                << " % of the size, deepest overlap " << deepest
-                << " radii" << endl;
-        }
+        told.say(nSteps_, scale_, deepest, sinceGrowth);
     }
     finish();
     return reached;

@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "unsolvedPhysics.H"
+#include "dynamicRefineFvMesh.H"
+#include "fvOptionList.H"
+#include "IOdictionary.H"
+#include "Switch.H"
+#include "volFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- A dictionary of the folder constant; empty where the file is absent
+IOdictionary constantFile(const fvMesh& mesh, const word& name)
+{
+    return IOdictionary
+    (
+        IOobject
+        (
+            name, mesh.time().constant(), mesh,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+}
+
+
+//- fvMesh inherits several functions type()
+const word& polyMeshType(const polyMesh& mesh)
+{
+    return mesh.type();
+}
+
+
+//- A switch, what the solver does, and why
+struct fixedSwitch
+{
+    const char* name;
+    const bool value;
+    const char* reason;
+};
+
+const fixedSwitch fixedSwitches[] =
+{
+    {"solveFlow", true, "'effects { fluid frozen; }' in clumpProperties keeps U of"
+        " the start time"},
+    {"frozenFlow", false, "'effects { fluid frozen; }' in clumpProperties keeps U of"
+        " the start time"},
+    {"SIMPLErho", false, "the fluid is incompressible"},
+    {"transonic", false, "the fluid is incompressible"},
+    {"turbOnFinalIterOnly", false, "there is no turbulence model, and the viscosity"
+        " is updated in every outer corrector"},
+    {"ddtCorr", true, "the fluxes always have the correction for the time derivative"},
+    {"correctPhi", false, "after a refinement the fluxes are those of U"},
+    {"checkMeshCourantNo", false, "the points of the mesh do not move"},
+    {"moveMeshOuterCorrectors", false, "the points of the mesh do not move"}
+};
+
+}
+
+
+void Foam::unsolvedPhysics::refuse(const fvMesh& mesh)
+{
+    const IOdictionary turbulence(constantFile(mesh, "turbulenceProperties"));
+    const word simulation
+    (
+        turbulence.getOrDefault<word>("simulationType", "laminar")
+    );
+    if (simulation == "RAS" || simulation == "LES")
+    {
+        FatalIOErrorInFunction(turbulence)
+            << "Entry 'simulationType' is " << simulation << ", but clumps are coupled"
+            << " to the resolved flow with the viscosity of the fluid; a turbulent"
+            << " viscosity would act on the flow and not on them." << nl
+            << "    Set simulationType laminar and resolve the flow."
+            << exit(FatalIOError);
+    }
+
+    const dictionary laminar(turbulence.subOrEmptyDict("laminar"));
+    const word model
+    (
+        laminar.getOrDefault<word>
+        (
+            "model", laminar.getOrDefault<word>("laminarModel", "Stokes")
+        )
+    );
+    if (model != "Stokes")
+    {
+        FatalIOErrorInFunction(laminar)
+            << "The laminar model is " << model << ", whose stress does not act on"
+            << " clumps. Valid: Stokes (the default). A viscosity that depends on the"
+            << " shear rate is a transportModel in constant/transportProperties."
+            << exit(FatalIOError);
+    }
+
+    const IOdictionary mrf(constantFile(mesh, "MRFProperties"));
+    for (const entry& e : mrf)
+    {
+        if (e.isDict() && e.dict().getOrDefault<bool>("active", true))
+        {
+            FatalIOErrorInFunction(mrf)
+                << "The zone " << e.keyword() << " rotates (MRF), but the solver"
+                << " computes neither the forces of a rotating frame on the flow nor"
+                << " those on clumps." << nl << "    Remove the file, or set active no."
+                << exit(FatalIOError);
+        }
+    }
+
+    if (mesh.dynamic() && !isA<dynamicRefineFvMesh>(mesh))
+    {
+        refuseMotion(mesh);
+    }
+}
+
+
+void Foam::unsolvedPhysics::refuseMotion(const fvMesh& mesh)
+{
+    FatalErrorInFunction
+        << "The points of the mesh move: " << polyMeshType(mesh) << " in "
+        << mesh.time().constant()/"dynamicMeshDict" << '.' << nl
+        << "    Clumps can be used with meshes that are refined"
+        << " (dynamicRefineFvMesh) or do not change." << exit(FatalError);
+}
+
+
+void Foam::unsolvedPhysics::refuseSwitches(const dictionary& control)
+{
+    for (const fixedSwitch& s : fixedSwitches)
+    {
+        if (control.getOrDefault<bool>(s.name, s.value) != s.value)
+        {
+            FatalIOErrorInFunction(control)
+                << "Entry '" << s.name << "' is " << Switch(!s.value)
+                << "; valid: " << Switch(s.value) << ", because " << s.reason
+                << ". Remove the entry." << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::unsolvedPhysics::refuseDriving
+(
+    const fv::optionList& options,
+    const volScalarField& nu
+)
+{
+    const fvMesh& mesh = nu.mesh();
+    const scalar viscousNumber =
+        mesh.time().deltaTValue()*gMax(nu.primitiveField())
+       /sqr(Foam::cbrt(gMin(mesh.V())));
+
+    for (const fv::option& option : options)
+    {
+        if (option.type() == "meanVelocityForce" && viscousNumber > 12)
+        {
+            FatalErrorInFunction
+                << "The fvOption " << option.name() << " is a meanVelocityForce, which"
+                << " is unstable here: the viscous number nu dt/dx^2 is "
+                << viscousNumber << ", above 12." << nl
+                << "    Set type meanVelocityGradient, with the same Ubar and fields."
+                << exit(FatalError);
+        }
+    }
+}

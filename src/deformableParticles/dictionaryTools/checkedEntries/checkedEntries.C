@@ -146,6 +146,26 @@ Foam::dictionary Foam::withPresentNames
 }
 
 
+Foam::dictionary Foam::withoutRemoved
+(
+    const dictionary& dict,
+    const wordList& removed
+)
+{
+    dictionary result(dict);
+    for (const word& name : removed)
+    {
+        if (result.remove(name))
+        {
+            IOWarningInFunction(dict)
+                << "The entry '" << name << "' has no effect any more; please"
+                << " remove it" << endl;
+        }
+    }
+    return result;
+}
+
+
 const Foam::wordList& Foam::functionObjectEntries()
 {
     static const wordList names

@@ -17,11 +17,10 @@ void Foam::incompressibleFlow::check(const dictionary& dict)
 {
     checkEntries
     (
-        dict,
+        withoutRemoved(dict, {"scaleCorrection"}),
         {
             "consistent", "momentumPredictor", "nOuterCorrectors",
-            "carryPressure", "wallMobility",
-            "couplingTolerance", "andersonDepth",
+            "carryPressure", "wallMobility", "couplingTolerance", "andersonDepth",
             "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
             "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
             "frozenFlow", "ddtCorr", "turbOnFinalIterOnly",

@@ -25,13 +25,13 @@ Foam::couplingSchemes::robin::robin(const dictionary& dict)
 {
     const dictionary entries
     (
-        withPresentNames(dict, {{"margin", "coefficient"}})
+        withoutRemoved
+        (
+            withPresentNames(dict, {{"margin", "coefficient"}}),
+            {"deflateRigidMotion"}
+        )
     );
-    checkEntries
-    (
-        entries,
-        {"type", "coefficient", "turnVelocities"}
-    );
+    checkEntries(entries, {"type", "coefficient", "turnVelocities"});
     coefficient_ = getNonNegativeOrDefault(entries, "coefficient", 1);
 }
 

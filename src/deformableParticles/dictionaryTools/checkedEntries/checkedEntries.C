@@ -136,7 +136,14 @@ Foam::dictionary Foam::withPresentNames
     dictionary result(dict);
     forAllConstIters(presentNames, name)
     {
-        if (dict.found(name.key()) && !dict.found(name.val()))
+        if (dict.found(name.key()) && dict.found(name.val()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << name.key() << "' is the former name of '"
+                << name.val() << "', which is given, too. Remove it."
+                << exit(FatalIOError);
+        }
+        if (dict.found(name.key()))
         {
             warnOfFormerName(dict, name.key(), name.val());
             result.changeKeyword(name.key(), name.val());

@@ -14,6 +14,7 @@
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
+#include "sizeClasses.H"
 #include "surfaceCrossing.H"
 #include "uniformDimensionedFields.H"
 
@@ -104,6 +105,10 @@ dictionary presentEntries(const dictionary& dict)
             "typesMayChange", "accuracyLevel", "rho"
         }
     );
+    if (result.isDict("types"))
+    {
+        result.set("types", sizeClasses::expanded(result.subDict("types")));
+    }
     if (result.found("aggregation"))
     {
         FatalIOErrorInFunction(result)

@@ -7,6 +7,7 @@
 #include "testCase.H"
 #include "foamCompat.H"
 #include "placement.H"
+#include "sizeClasses.H"
 
 using namespace Foam;
 
@@ -37,22 +38,40 @@ struct placedClumps
     explicit placedClumps(const string& text)
     {
         // A red cell of 94 um3, a smaller ring, and a sphere
-        types.setSize(3);
-        types.set
+        dictionary all;
+        all.set("healthy", ringDict(10, 2.434e-6, 1.476e-6));
+        all.set("small", ringDict(8, 1e-6, 0.7e-6));
+        const dictionary sphere
         (
-            0, new clumpType("healthy", ringDict(10, 2.434e-6, 1.476e-6))
+            dictOf
+            (
+                "shape { type chain; nSpheres 1; sphereRadius 1e-6; } density 1098;"
+            )
         );
-        types.set(1, new clumpType("small", ringDict(8, 1e-6, 0.7e-6)));
-        dictionary ball(cellDict());
-        ball.set
-        (
-            "shape", dictOf("type chain; nSpheres 1; spacing 1e-6; sphereRadius 1e-6;")
-        );
+        dictionary ball(sphere);
         ball.set("nominalVolume", 8e-18);
-        types.set(2, new clumpType("ball", ball));
-        forAll(types, i)
+        all.set("ball", ball);
+
+        // Spheres of eight sizes, and of two
+        dictionary grain(sphere);
+        grain.set
+        (
+            "sizes", dictOf("distribution lognormal; mean 0.5e-6; deviation 0.25e-6;")
+        );
+        all.set("grain", grain);
+        dictionary mixed(sphere);
+        mixed.set
+        (
+            "sizes",
+            dictOf("distribution list; radii (0.2e-6 4e-6); fractions (0.99 0.01);")
+        );
+        all.set("mixed", mixed);
+
+        const dictionary expanded(sizeClasses::expanded(all));
+        for (const word& name : expanded.toc())
         {
-            typeIds.insert(types[i].name(), i);
+            typeIds.insert(name, types.size());
+            types.append(new clumpType(name, expanded.subDict(name)));
         }
 
         Cloud<clumpParcel> cloud(testMesh(), "placed", IDLList<clumpParcel>());
@@ -212,12 +231,66 @@ TEST_CASE("placement: several types", "[placement]")
         );
         CHECK(packed.number(2) == 100);
 
-        const Pair<scalar> f
-        (
-            placement::fractions(packed.types, labelList({0, 0, 100}), V)
-        );
+        labelList numbers(packed.types.size(), Zero);
+        numbers[2] = 100;
+        const Pair<scalar> f(placement::fractions(packed.types, numbers, V));
         CHECK(f.first() == Approx(0.1));
         CHECK(f.second() == Approx(100*4.18879e-18/V).epsilon(1e-3));
+    }
+}
+
+
+TEST_CASE("placement: sizes of a lognormal distribution", "[placement]")
+{
+    const placedClumps packed
+    (
+        "type random; clumpType grain; volumeFraction 0.1; seed 5;"
+    );
+    const label n = packed.typeOf.size();
+    scalar cubes = 0, fourths = 0;
+    forAll(packed.types, i)
+    {
+        const clumpType& type = packed.types[i];
+        const scalar share = type.family() == "grain" ? type.share() : 0;
+        CHECK(mag(packed.number(i) - share*n) <= 1);
+        cubes += packed.number(i)*pow3(type.radii()[0]);
+        fourths += packed.number(i)*pow4(type.radii()[0]);
+    }
+    // The volume, and the mean radius by volume: m (1 + (d/m)^2)^3
+    CHECK(4.18879*cubes == Approx(0.1*V).epsilon(0.02));
+    CHECK(fourths/cubes == Approx(0.5e-6*pow3(1.25)).epsilon(0.03));
+    CHECK(packed.leastGap() >= -1e-15);
+}
+
+
+TEST_CASE("placement: spheres of sizes 1 to 20 without overlaps", "[placement]")
+{
+    const placedClumps packed
+    (
+        "type random; numbers { mixed 400; ball 10; } seed 5; minGap 0.02e-6;"
+    );
+    const label first = packed.typeIds["mixed_1"];
+    CHECK(packed.number(first) == 396);
+    CHECK(packed.number(first + 1) == 4);
+    CHECK(packed.number(packed.typeIds["ball"]) == 10);
+    CHECK(packed.leastGap() >= 0.02e-6*(1 - 1e-6));
+    CHECK(packed.box().min().y() >= 0.02e-6*(1 - 1e-6));
+}
+
+
+TEST_CASE("placement: a lattice mixes sizes evenly", "[placement]")
+{
+    const placedClumps placed
+    (
+        "type lattice; clumpType grain; origin (1e-6 2e-6 1e-6);"
+        "spacing (3e-6 3e-6 3e-6); number (6 6 6);"
+    );
+    REQUIRE(placed.typeOf.size() == 216);
+    forAll(placed.types, i)
+    {
+        const clumpType& type = placed.types[i];
+        const scalar share = type.family() == "grain" ? type.share() : 0;
+        CHECK(mag(placed.number(i) - share*216) <= 3);
     }
 }
 

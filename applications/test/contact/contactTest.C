@@ -11,6 +11,7 @@
 #include <array>
 #include <chrono>
 #include <set>
+#include <utility>
 
 using namespace Foam;
 
@@ -74,6 +75,67 @@ TEST_CASE("contact: the grid finds what all pairs find", "[contact][serial]")
     }
 
     CHECK(!expected.empty());
+    CHECK(found == expected);
+}
+
+
+TEST_CASE("contact: the grid finds boxes of sizes 1 to 20", "[contact][serial]")
+{
+    PtrList<clumpType> types(2);
+    forAll(types, i)
+    {
+        dictionary dict
+        (
+            dictOf("shape { type chain; nSpheres 1; sphereRadius 1; } density 1;")
+        );
+        dict.set("scale", i ? 5e-6 : 0.25e-6);
+        types.set(i, new clumpType(i ? "large" : "small", dict));
+    }
+    Random random(17);
+    DynamicList<clumpImage> images;
+    for (label a = 0; a < 600; ++a)
+    {
+        clumpImage image;
+        image.typeId = a % 50 ? 0 : 1;
+        const clumpType& type = types[image.typeId];
+        image.x = pointField(1, point(2e-5*randomVector(random)));
+        const vector half(type.radii()[0]*vector::one);
+        image.box = boundBox(image.x[0] - half, image.x[0] + half);
+        images.append(image);
+    }
+
+    const label nOwn = 400;
+    std::set<std::pair<label, label>> found, expected;
+    label last = -1;
+    bool ascending = true;
+    sphereGrid::forEachNear
+    (
+        images, nOwn, scalarField(nOwn, 0.1e-6),
+        [&](label a, label b)
+        {
+            const std::pair<label, label> pair(a, b);
+            CHECK(found.insert(pair).second);
+            ascending = ascending && (a*images.size() + b > last);
+            last = a*images.size() + b;
+        }
+    );
+    label ofBothSizes = 0;
+    for (label a = 0; a < nOwn; ++a)
+    {
+        boundBox box(images[a].box);
+        box.min() -= 0.1e-6*vector::one;
+        box.max() += 0.1e-6*vector::one;
+        forAll(images, b)
+        {
+            if (a != b && box.overlaps(images[b].box))
+            {
+                expected.insert(std::make_pair(a, b));
+                ofBothSizes += images[a].typeId != images[b].typeId;
+            }
+        }
+    }
+    CHECK(ofBothSizes > 10);
+    CHECK(ascending);
     CHECK(found == expected);
 }
 

@@ -74,7 +74,7 @@ Foam::scalar Foam::deformableCloud::maxSpeedOverRadius() const
 }
 
 
-Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii) const
+Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii)
 {
     const bool heavy = effects_.active("gravity");
     if (!heavy && loads_.empty())
@@ -87,10 +87,22 @@ Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii) const
         hasFluid()
       ? gMin(mesh_.lookupObject<volScalarField>("nu").primitiveField()) : 0;
 
+    if (loads_.size())
+    {
+        for (clumpParcel& p : *this)
+        {
+            p.step().ahead = Zero;
+        }
+        updateGhosts();
+        sampleLoads();
+    }
+
     scalar result = GREAT;
+    label index = -1;
     for (const clumpParcel& p : *this)
     {
         const clumpType& ct = type(p);
+        ++index;
         if (ct.fixed())
         {
             continue;
@@ -103,10 +115,7 @@ Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii) const
         for (const load& l : loads_)
         {
             externalForces ext(ct.size());
-            if (l.clumpType() == ct.name())
-            {
-                l.add(mesh_.time().value(), p.unwrappedCentres(), ext);
-            }
+            addLoad(l, p, index, ext);
             if (max(mag(ext.k)) == 0)
             {
                 F += sum(ext.f);

@@ -14,6 +14,7 @@
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "placement.H"
+#include "sizeClasses.H"
 #include "surfaceCrossing.H"
 #include "unreadEntries.H"
 #include "uniformDimensionedFields.H"
@@ -171,6 +172,10 @@ dictionary presentEntries(const fvMesh& mesh, const dictionary& dict)
             "typesMayChange", "accuracyLevel", "rho"
         }
     );
+    if (result.isDict("types"))
+    {
+        result.set("types", sizeClasses::expanded(result.subDict("types")));
+    }
     complete(result, accurateModels());
     for (const word family : {"contactModel", "wallContactModel"})
     {
@@ -384,25 +389,39 @@ void Foam::deformableCloud::readLoads()
         const dictionary& d = getDict(loads, name);
         loads_.append(selectModel<load>(d));
 
-        const word& on = loads_.last().clumpType();
-        if (!typeIds_.found(on))
+        const load& added = loads_.last();
+        bool some = false;
+        forAll(types_, i)
         {
-            FatalIOErrorInLookup(d, "clumpType", on, typeIds_)
+            if (added.actsOn(types_[i]))
+            {
+                added.check(d, types_[i].size());
+                constrain(d, i);
+                some = true;
+            }
+        }
+        if (!some)
+        {
+            FatalIOErrorInLookup(d, "clumpType", added.loadedType(), typeIds_)
                 << exit(FatalIOError);
         }
-        loads_.last().check(d, types_[typeIds_[on]].size());
+        added.field(mesh_);
+    }
+}
 
-        symmTensor& constraint = constraints_[typeIds_[on]];
-        if (tr(constraint) > 0 && tr(loads_.last().constraint()) > 0)
-        {
-            FatalIOErrorInFunction(d)
-                << "Clump type " << on << " has two loads of the type hold: give"
-                << " all directions to one of them." << exit(FatalIOError);
-        }
-        if (!types_[typeIds_[on]].fixed())
-        {
-            constraint += loads_.last().constraint();
-        }
+
+void Foam::deformableCloud::constrain(const dictionary& dict, const label typei)
+{
+    const symmTensor& along = loads_.last().constraint();
+    if (tr(constraints_[typei]) > 0 && tr(along) > 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Clump type " << types_[typei].name() << " has two loads of the type"
+            << " hold: give all directions to one of them." << exit(FatalIOError);
+    }
+    if (!types_[typei].fixed())
+    {
+        constraints_[typei] += along;
     }
 }
 

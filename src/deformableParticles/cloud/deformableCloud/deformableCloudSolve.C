@@ -11,6 +11,7 @@ void Foam::deformableCloud::solve(const scalar dt)
     {
         p.step().overshootsBefore = p.overshoots();
     }
+    sampleLoads();
 
     // Those whose coupling coefficient is raised overshoot; a few times suffice
     constexpr label most = 3;
@@ -92,7 +93,7 @@ void Foam::deformableCloud::advanceAll(const scalar dt)
         step.forces = step.steadyForces;
         step.forces.f += type(p).masses()/type(p).mass()*step.holdForce;
     }
-    addLoads(mesh_.time().value());
+    addLoads();
 
     if (effects_.active("contact") || effects_.active("walls"))
     {
@@ -203,23 +204,58 @@ void Foam::deformableCloud::setSteadyForces
 }
 
 
-void Foam::deformableCloud::addLoads(const scalar t)
+void Foam::deformableCloud::sampleLoads()
 {
     if (loads_.empty())
     {
         return;
     }
-    const timeBreakdown::timer clock(timing_, "loads");
+    const timeBreakdown::timer t(timing_, "loads");
+    for (load& l : loads_)
+    {
+        l.sample(mesh_, ghosts_);
+    }
+}
 
+
+void Foam::deformableCloud::addLoad
+(
+    const load& l,
+    const clumpParcel& p,
+    const label index,
+    externalForces& ext
+) const
+{
+    if (l.actsOn(type(p)))
+    {
+        l.add
+        (
+            load::site
+            {
+                mesh_, type(p), p.state(), p.unwrappedCentres(), l.values(index)
+            },
+            ext
+        );
+    }
+}
+
+
+void Foam::deformableCloud::addLoads()
+{
+    if (loads_.empty())
+    {
+        return;
+    }
+    const timeBreakdown::timer t(timing_, "loads");
+
+    label index = 0;
     for (clumpParcel& p : *this)
     {
         for (const load& l : loads_)
         {
-            if (l.clumpType() == type(p).name())
-            {
-                l.add(t, p.unwrappedCentres(), p.step().forces);
-            }
+            addLoad(l, p, index, p.step().forces);
         }
+        ++index;
     }
 }
 

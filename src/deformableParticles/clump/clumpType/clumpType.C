@@ -10,6 +10,8 @@
 Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 :
     name_(name),
+    family_(dict.getOrDefault<word>("classOf", name)),
+    share_(getBetweenOrDefault(dict, "share", 1, 0, 1)),
     density_(getPositive(dict, "density")),
     smoothVolume_(0),
     fixed_(false)
@@ -19,15 +21,17 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     (
         dict,
         {
-            "shape", "density", "massModel", "motion", "nominalVolume",
+            "shape", "density", "massModel", "motion", "nominalVolume", "scale",
+            "classOf", "share",
             "bondModel", "dampingModel", "conservationModel",
             "conservationModels"
         }
     );
 
     const auto geometry(clumpShapes::shape::New(getDict(dict, "shape")));
-    centres_ = geometry->centres();
-    radii_ = geometry->radii();
+    const scalar scale = getPositiveOrDefault(dict, "scale", 1);
+    centres_ = scale*geometry->centres();
+    radii_ = scale*geometry->radii();
     pairs_ = geometry->bonds();
 
     const word motion(dict.getOrDefault<word>("motion", "free"));

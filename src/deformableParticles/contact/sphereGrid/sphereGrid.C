@@ -5,6 +5,48 @@
 
 #include "sphereGrid.H"
 #include "pointGrid.H"
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace
+{
+
+using namespace Foam;
+
+//- Images whose boxes are equally wide within a factor of two
+struct level
+{
+    scalar widest = 0;
+    DynamicList<label> images;
+    DynamicList<point> centres;
+    pointGrid grid;
+};
+
+
+//- All images, level by level
+std::map<int, level> levels(const UList<clumpImage>& images)
+{
+    std::map<int, level> result;
+    forAll(images, b)
+    {
+        const scalar width = cmptMax(images[b].box.span());
+        int octave;
+        std::frexp(width, &octave);
+        level& l = result[octave];
+        l.widest = max(l.widest, width);
+        l.images.append(b);
+        l.centres.append(images[b].box.midpoint());
+    }
+    for (auto& l : result)
+    {
+        l.second.grid.update(l.second.centres);
+    }
+    return result;
+}
+
+}
+
 
 void Foam::sphereGrid::forEachNear
 (
@@ -14,32 +56,36 @@ void Foam::sphereGrid::forEachNear
     const std::function<void(label, label)>& visit
 )
 {
-    // Boxes that meet have centres no farther apart than half of both
-    pointField centres(images.size());
-    scalar widest = 0;
-    forAll(images, b)
-    {
-        centres[b] = images[b].box.midpoint();
-        widest = max(widest, cmptMax(images[b].box.span()));
-    }
-    pointGrid grid;
-    grid.update(centres);
-
-    DynamicList<label> found;
+    const std::map<int, level> all(levels(images));
+    DynamicList<label> found, near;
     for (label a = 0; a < nOwn; ++a)
     {
         boundBox box(images[a].box);
         box.min() -= margins[a]*vector::one;
         box.max() += margins[a]*vector::one;
 
-        const vector half(0.51*widest*vector::one);
-        grid.find(boundBox(box.min() - half, box.max() + half), found);
-        for (const label b : found)
+        near.clear();
+        for (const auto& l : all)
         {
-            if (a != b && box.overlaps(images[b].box))
+            // Boxes that meet have centres no farther apart than half of both
+            const vector half(0.51*l.second.widest*vector::one);
+            l.second.grid.find
+            (
+                boundBox(box.min() - half, box.max() + half), found
+            );
+            for (const label k : found)
             {
-                visit(a, b);
+                const label b = l.second.images[k];
+                if (a != b && box.overlaps(images[b].box))
+                {
+                    near.append(b);
+                }
             }
+        }
+        std::sort(near.begin(), near.end());
+        for (const label b : near)
+        {
+            visit(a, b);
         }
     }
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "oneWayDrag.H"
+#include "fieldAtSpheres.H"
 #include "fvcGrad.H"
 #include "mathematicalConstants.H"
 
@@ -21,37 +22,6 @@ Foam::scalarField Foam::oneWayDrag::resistance
 }
 
 
-template<class Action>
-void Foam::oneWayDrag::visit
-(
-    const volVectorField& U,
-    UList<clumpImage>& images,
-    const Action& action
-) const
-{
-    const volVectorField& C = U.mesh().C();
-    const volTensorField& gradient = *gradient_;
-
-    for (clumpImage& image : images)
-    {
-        image.fluid.reset(image.x.size());
-        forAll(image.x, i)
-        {
-            const point& x = image.x[i];
-            const label celli = U.mesh().findCell(x);
-            if (celli >= 0)
-            {
-                action
-                (
-                    image, i,
-                    U[celli] + ((x - C[celli]) & gradient[celli])
-                );
-            }
-        }
-    }
-}
-
-
 void Foam::oneWayDrag::sampleVelocity
 (
     const volVectorField& U,
@@ -59,15 +29,7 @@ void Foam::oneWayDrag::sampleVelocity
 )
 {
     gradient_.reset(fvc::grad(U).ptr());
-    visit
-    (
-        U, images,
-        [](clumpImage& image, const label i, const vector& u)
-        {
-            image.fluid.f[i] = u;
-            image.fluid.t[i] = vector::one;
-        }
-    );
+    setFieldAtSpheres(U, *gradient_, images);
 }
 
 
@@ -83,16 +45,12 @@ void Foam::oneWayDrag::integrate
     {
         gradient_.reset(fvc::grad(U).ptr());
     }
-    visit
-    (
-        U, images,
-        [](clumpImage& image, const label i, const vector& u)
-        {
-            image.fluid.f[i] = u - image.u[i];
-        }
-    );
+    setFieldAtSpheres(U, *gradient_, images);
     for (clumpImage& image : images)
     {
+        // Only spheres in this processor's mesh cells, where the torque is 1
+        image.fluid.f -= cmptMultiply(image.fluid.t, image.u);
         image.fluid.f *= resistance(types_[image.typeId], mu);
+        image.fluid.t = Zero;
     }
 }

@@ -42,7 +42,7 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
         s.mesh, s.ghosts, s.types, patches_, around(lines_.box()),
         getNonNegativeOrDefault(dict, "minGap", 0)
     ),
-    shares_(placement::shares(dict, s.types.size(), s.typeIds)),
+    shares_(placement::shares(dict, s.types, s.typeIds)),
     byFlux_(readWeighting(dict)),
     nTries_
     (
@@ -97,22 +97,10 @@ Foam::Random Foam::patchInjection::random
 
 Foam::label Foam::patchInjection::nextType() const
 {
-    const scalar at = random(0, nInjected()).sample01<scalar>();
-    scalar upTo = 0;
-    label last = 0;
-    forAll(shares_, typei)
-    {
-        if (shares_[typei] > 0)
-        {
-            last = typei;
-            upTo += shares_[typei];
-            if (at < upTo)
-            {
-                break;
-            }
-        }
-    }
-    return last;
+    return placement::typeAt
+    (
+        shares_, random(0, nInjected()).sample01<scalar>()
+    );
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "lattice.H"
+#include <cmath>
 
 namespace Foam
 {
@@ -23,12 +24,15 @@ Foam::clumpPlacements::lattice::lattice
 )
 :
     givenPlaces(dict, types, typeIds),
-    typeId_(placement::typeId(dict, dict.get<word>("clumpType"))),
+    shares_(shares(dict, types, typeIds)),
     origin_(getFinite<point>(dict, "origin")),
     spacing_(getFinite<vector>(dict, "spacing")),
     number_(dict.get<labelVector>("number"))
 {
-    checkEntries(dict, {"type", "clumpType", "origin", "spacing", "number"});
+    checkEntries
+    (
+        dict, {"type", "clumpType", "fractions", "origin", "spacing", "number"}
+    );
 
     if (cmptMin(number_) < 1)
     {
@@ -40,6 +44,12 @@ Foam::clumpPlacements::lattice::lattice
     (
         dict, "number", scalar(number_.x())*number_.y()*number_.z()
     );
+}
+
+
+Foam::label Foam::clumpPlacements::lattice::typeId(const label k) const
+{
+    return typeAt(shares_, std::fmod(0.5 + 0.5*(std::sqrt(5.0) - 1)*k, 1.0));
 }
 
 

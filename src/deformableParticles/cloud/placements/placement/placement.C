@@ -51,14 +51,44 @@ Foam::label Foam::placement::typeId
 }
 
 
+void Foam::placement::addShares
+(
+    const dictionary& dict,
+    const word& name,
+    const scalar number,
+    const PtrList<clumpType>& types,
+    const HashTable<label>& typeIds,
+    scalarList& shares
+)
+{
+    scalar ofFamily = 0;
+    for (const clumpType& type : types)
+    {
+        ofFamily += type.family() == name ? type.share() : scalar(0);
+    }
+    if (typeIds.found(name) || ofFamily <= 0)
+    {
+        shares[typeId(dict, name, typeIds)] += number;
+        return;
+    }
+    forAll(types, i)
+    {
+        if (types[i].family() == name)
+        {
+            shares[i] += number*types[i].share()/ofFamily;
+        }
+    }
+}
+
+
 Foam::scalarList Foam::placement::shares
 (
     const dictionary& dict,
-    const label nTypes,
+    const PtrList<clumpType>& types,
     const HashTable<label>& typeIds
 )
 {
-    scalarList result(nTypes, Zero);
+    scalarList result(types.size(), Zero);
     if (dict.found("clumpType") == dict.found("fractions"))
     {
         FatalIOErrorInFunction(dict)
@@ -67,13 +97,19 @@ Foam::scalarList Foam::placement::shares
     }
     if (dict.found("clumpType"))
     {
-        result[typeId(dict, dict.get<word>("clumpType"), typeIds)] = 1;
+        addShares
+        (
+            dict, dict.get<word>("clumpType"), 1, types, typeIds, result
+        );
         return result;
     }
     const dictionary& given = getDict(dict, "fractions");
     for (const word& name : given.toc())
     {
-        result[typeId(given, name, typeIds)] = getBetween(given, name, 0, 1);
+        addShares
+        (
+            given, name, getBetween(given, name, 0, 1), types, typeIds, result
+        );
     }
     if (mag(sum(result) - 1) > 1e-6)
     {
@@ -82,6 +118,26 @@ Foam::scalarList Foam::placement::shares
             << " to 1." << exit(FatalIOError);
     }
     return result;
+}
+
+
+Foam::label Foam::placement::typeAt(const scalarList& shares, const scalar at)
+{
+    scalar upTo = 0;
+    label last = 0;
+    forAll(shares, typei)
+    {
+        if (shares[typei] > 0)
+        {
+            last = typei;
+            upTo += shares[typei];
+            if (at < upTo)
+            {
+                break;
+            }
+        }
+    }
+    return last;
 }
 
 

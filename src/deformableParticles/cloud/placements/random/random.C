@@ -72,13 +72,17 @@ Foam::scalarList Foam::clumpPlacements::random::readShares() const
 {
     if (!dict_.found("numbers"))
     {
-        return shares(dict_, types_.size(), typeIds_);
+        return shares(dict_, types_, typeIds_);
     }
     scalarList result(types_.size(), Zero);
     const dictionary& given = getDict(dict_, "numbers");
     for (const word& name : given.toc())
     {
-        result[typeId(given, name)] = getNumber(given, name, 1, 10000000);
+        addShares
+        (
+            given, name, getNumber(given, name, 1, 10000000), types_, typeIds_,
+            result
+        );
     }
     return result;
 }

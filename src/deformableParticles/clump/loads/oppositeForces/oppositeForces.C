@@ -57,12 +57,11 @@ void Foam::loads::oppositeForces::check
 
 void Foam::loads::oppositeForces::add
 (
-    const scalar time,
-    const pointField&,
+    const site& clump,
     externalForces& ext
 ) const
 {
-    const vector F(force_->value(time)*direction_);
+    const vector F(force_->value(clump.time())*direction_);
 
     for (const label i : plus_)
     {

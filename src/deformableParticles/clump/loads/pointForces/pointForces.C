@@ -52,12 +52,11 @@ void Foam::loads::pointForces::check
 
 void Foam::loads::pointForces::add
 (
-    const scalar time,
-    const pointField&,
+    const site& clump,
     externalForces& ext
 ) const
 {
-    const scalar f = factor_->value(time);
+    const scalar f = factor_->value(clump.time());
 
     forAll(spheres_, k)
     {

@@ -36,11 +36,10 @@ void Foam::loads::tether::check
 
 void Foam::loads::tether::add
 (
-    const scalar,
-    const pointField& centres,
+    const site& clump,
     externalForces& ext
 ) const
 {
-    ext.f[sphere_] -= stiffness_*(centres[sphere_] - anchor_);
+    ext.f[sphere_] -= stiffness_*(clump.x[sphere_] - anchor_);
     ext.k[sphere_] += stiffness_*symmTensor::I;
 }

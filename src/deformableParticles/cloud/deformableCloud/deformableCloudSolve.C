@@ -69,7 +69,7 @@ void Foam::deformableCloud::solveOnce(const scalar dt)
     for (clumpParcel& p : *this)
     {
         clumpStep& step = p.step();
-        if (!type(p).fixed())
+        if (!type(p).fixed() && !type(p).hasSurface())
         {
             momentum_.addStep(type(p), p.state(), step);
         }
@@ -187,6 +187,12 @@ void Foam::deformableCloud::setSteadyForces
     externalForces& ext = p.step().steadyForces;
     ext = externalForces(ct.size());
 
+    if (ct.hasSurface())
+    {
+        setNodeForces(p, ext);
+        momentum_.addFluid(p, vectorField());
+        return;
+    }
     if (effects_.active("gravity"))
     {
         const timeBreakdown::timer t(timing_, "gravity");
@@ -214,12 +220,23 @@ void Foam::deformableCloud::addLoads(const scalar t)
 
     for (clumpParcel& p : *this)
     {
-        for (const load& l : loads_)
+        addLoads(p, t, p.step().forces);
+    }
+}
+
+
+void Foam::deformableCloud::addLoads
+(
+    const clumpParcel& p,
+    const scalar t,
+    externalForces& ext
+) const
+{
+    for (const load& l : loads_)
+    {
+        if (l.clumpType() == type(p).name())
         {
-            if (l.clumpType() == type(p).name())
-            {
-                l.add(t, p.unwrappedCentres(), p.step().forces);
-            }
+            l.add(t, p.unwrappedCentres(), ext);
         }
     }
 }
@@ -236,6 +253,15 @@ void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
     }
     externalForces& ext = p.step().forces;
 
+    if (type(p).hasSurface())
+    {
+        membranes_[p.typeId()].advance
+        (
+            p, coupling_->viscosity(), dt, mesh_.time().deltaT0Value()
+        );
+        ++nSolves_;
+        return;
+    }
     if (hasFluid())
     {
         // What acts on a clump adds a resistance that it alone has not

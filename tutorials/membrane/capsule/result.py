@@ -14,7 +14,7 @@ first, last = rows[len(rows)//2], rows[-1]
 # The node passes through the angle -pi
 turned = (first["phase"] - last["phase"]) % (2*pi)
 rate = turned/(last["time"] - first["time"])
-print(f"deformation {last['TaylorDeformation']:.3f}, inclined by {degrees(last['inclination']):.1f} "
-      f"degrees")
+print(f"deformation {last['TaylorDeformation']:.3f}, inclined by "
+      f"{degrees(last['inclination']):.1f} degrees")
 print(f"the membrane goes around at {rate/shear:.2f} of the shear rate; the volume has changed by "
       f"{abs(last['volume']/rows[0]['volume'] - 1):.1e}")

@@ -84,7 +84,6 @@ Foam::scalar Foam::membraneStep::value
     gradient = ofFluid + ofTethers - step.ext.f;
     if (tangent)
     {
-        tangent->clear();
         const symmTensorField diagonal(step.K + step.ext.k);
         forAll(diagonal, i)
         {
@@ -103,25 +102,81 @@ Foam::scalar Foam::membraneStep::value
 }
 
 
+bool Foam::membraneStep::factorise
+(
+    const problem& step,
+    const vectorField& y,
+    const scalar p,
+    vectorField& gradient,
+    scalar& value0
+) const
+{
+    for (const bool exact : {true, false})
+    {
+        tangent_.clear(exact);
+        value0 = value(step, y, gradient, &tangent_);
+        if (exact)
+        {
+            tangent_.addPressure(surface(), y, p);
+        }
+        if (tangent_.factorise())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::scalar Foam::membraneStep::lineSearch
+(
+    const problem& step,
+    const vectorField& dy,
+    const scalar merit,
+    const scalar slope,
+    const scalar penalty,
+    vectorField& y
+) const
+{
+    const scalar V0 = mechanics_.type().volume();
+
+    // Near the minimum the difference of two values is round-off
+    const bool near = max(mag(dy)) < 1e-6*mechanics_.type().halfWidth();
+    for (scalar part = 1; part > 1e-6; part *= 0.5)
+    {
+        vectorField unused(y.size());
+        const vectorField tried(y + part*dy);
+        const scalar there =
+            value(step, tried, unused)
+          + penalty*mag(surface().volume(tried) - V0);
+        if (near || there <= merit + 1e-4*part*slope)
+        {
+            y = tried;
+            return part;
+        }
+    }
+    return 0;
+}
+
+
 void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
 {
-    constexpr label most = 50;
-    const scalar V0 = mechanics_.type().volume();
-    const scalar size = mechanics_.type().halfWidth();
-    scalar penalty = 0;
+    constexpr label most = 100;
+    const clumpType& type = mechanics_.type();
+    scalar p = 0;
     scalar change = GREAT;
 
-    for (label n = 0; n < most; ++n)
+    for (label n = 0; n < most && change > 1e-10; ++n)
     {
         vectorField gradient(y.size());
-        const scalar value0 = value(step, y, gradient, &tangent_);
-        if (!tangent_.factorise())
+        scalar value0 = 0;
+        if (!factorise(step, y, p, gradient, value0))
         {
             break;
         }
         const vectorField normals(surface().areaVectors(y));
         const auto g = membraneTangent::asVector(normals);
-        const scalar excess = surface().volume(y) - V0;
+        const scalar excess = surface().volume(y) - type.volume();
 
         // With the pressure that brings the volume back
         const Eigen::VectorXd free
@@ -129,35 +184,19 @@ void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
             -tangent_.solve(membraneTangent::asVector(gradient))
         );
         const Eigen::VectorXd ofPressure(tangent_.solve(g));
-        const scalar p = -(excess + g.dot(free))/g.dot(ofPressure);
+        p = -(excess + g.dot(free))/g.dot(ofPressure);
         const vectorField dy(toField(free + p*ofPressure));
 
-        change = max(mag(dy))/size;
-        penalty = max(penalty, 2*mag(p));
-        const scalar merit0 = value0 + penalty*mag(excess);
-        const scalar slope = sum(gradient & dy) - penalty*mag(excess);
-
-        scalar part = 1;
-        for (; part > 1e-6; part *= 0.5)
-        {
-            vectorField unused(y.size());
-            const vectorField tried(y + part*dy);
-            const scalar merit =
-                value(step, tried, unused, nullptr)
-              + penalty*mag(surface().volume(tried) - V0);
-
-            // Near the minimum the difference is round-off
-            if (merit <= merit0 + 1e-4*part*slope || (change < 1e-6 && part == 1))
-            {
-                y = tried;
-                break;
-            }
-        }
-        if (change < 1e-10)
-        {
-            return;
-        }
-        if (part <= 1e-6)
+        const scalar penalty = 2*mag(p);
+        const scalar part = lineSearch
+        (
+            step, dy,
+            value0 + penalty*mag(excess),
+            sum(gradient & dy) - penalty*mag(excess),
+            penalty, y
+        );
+        change = max(mag(dy))/type.halfWidth();
+        if (part == 0)
         {
             break;
         }
@@ -165,7 +204,7 @@ void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
     if (change > 1e-6)
     {
         FatalErrorInFunction
-            << "The step of a membrane of type " << mechanics_.type().name()
+            << "The step of a membrane of type " << type.name()
             << " has no solution: the last iteration moved a node by " << change
             << " half widths. Reduce deltaT, or refine the surface where it folds."
             << exit(FatalError);
@@ -186,9 +225,11 @@ void Foam::membraneStep::advance
     const clumpState& s = p.state();
     clumpState& end = p.step().end;
 
+    // One that starts from rest has no last step
+    const bool starts = max(mag(s.u)) == 0;
     const scalar q = dt/dt0;
-    const scalar ofLast = q/(1 + 2*q);
-    const scalar ofFluid = (1 + q)/(1 + 2*q);
+    const scalar ofLast = starts ? 0 : q/(1 + 2*q);
+    const scalar ofFluid = 1 - ofLast;
 
     const scalarField zeta(8*mu*flow.areas/type.halfWidth());
     const scalarField along(1/(1/zeta + flow.smoothing/(2*mu*flow.areas)));
@@ -205,7 +246,7 @@ void Foam::membraneStep::advance
     // of the step is better
     vectorField y(s.x + dt*p.step().imposedU);
     vectorField unused(y.size());
-    if (!(value(step, y, unused, nullptr) < value(step, s.x, unused, nullptr)))
+    if (!(value(step, y, unused) < value(step, s.x, unused)))
     {
         y = s.x;
     }

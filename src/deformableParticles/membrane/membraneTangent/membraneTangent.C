@@ -63,8 +63,9 @@ Foam::membraneTangent::membraneTangent
 }
 
 
-void Foam::membraneTangent::clear()
+void Foam::membraneTangent::clear(const bool exact)
 {
+    exact_ = exact;
     std::fill(lower_.valuePtr(), lower_.valuePtr() + lower_.nonZeros(), 0.0);
     weights_.clear();
     vectors_.clear();
@@ -89,6 +90,39 @@ void Foam::membraneTangent::add
         for (label r = place ? 0 : c; r < 3; ++r)
         {
             column[3*place + r] += block(r, c);
+        }
+    }
+}
+
+
+void Foam::membraneTangent::addPressure
+(
+    const closedSurface& surface,
+    const UList<vector>& x,
+    const scalar p
+)
+{
+    for (const triFace& t : surface.triangles())
+    {
+        forAll(t, k)
+        {
+            // A sixth of the triple product of the corners: d_i.(d_j x r)
+            const label i = t[k];
+            const label j = t[t.fcIndex(k)];
+            const vector r(-p/6*(x[t[t.rcIndex(k)]] - x[0]));
+            Eigen::Matrix3d block;
+            block <<
+                0, r.z(), -r.y(),
+                -r.z(), 0, r.x(),
+                r.y(), -r.x(), 0;
+            if (i > j)
+            {
+                add(i, j, block);
+            }
+            else
+            {
+                add(j, i, block.transpose());
+            }
         }
     }
 }

@@ -84,12 +84,15 @@ void Foam::membraneModels::surfaceArea::addStretch
         const scalar root = mag(ea ^ eb);
         const matrix6 H
         (
-            0.25/root*triangleElasticity::areaHessian(a, b)
-          - 0.125/pow3(root)*g*g.transpose()
+            tension
+           *(
+                0.25/root*triangleElasticity::areaHessian(a, b)
+              - 0.125/pow3(root)*g*g.transpose()
+            )
         );
         triangleElasticity::addEdges
         (
-            t, triangleElasticity::positive(tension*H), tangent
+            t, tangent.exact() ? H : triangleElasticity::positive(H), tangent
         );
     }
 }

@@ -152,7 +152,8 @@ Foam::scalar Foam::triangleElasticity::add
               + w.W11*g1*g1.transpose() + w.W22*g2*g2.transpose()
             );
             H += w.W12*(g1*g2.transpose() + g2*g1.transpose());
-            addEdges(t, positive(r.area*H), *tangent);
+            H *= r.area;
+            addEdges(t, tangent->exact() ? H : positive(H), *tangent);
         }
     }
     return energy;

@@ -49,7 +49,10 @@ void Foam::deformableCloud::lookAhead()
     const scalar dt = mesh_.time().deltaTValue();
     for (clumpParcel& p : *this)
     {
-        p.step().ahead = 0.5*dt*velocityOverMesh(p);
+        // The nodes of a membrane are met at the end of the step, see membraneStep
+        const bool nodes = type(p).hasSurface();
+        p.step().ahead = (nodes ? 1 : 0.5)*dt*velocityOverMesh(p);
+        p.step().span = nodes ? dt : 0;
     }
 }
 
@@ -145,7 +148,10 @@ void Foam::deformableCloud::setOwnImages()
     label index = 0;
     for (const clumpParcel& p : *this)
     {
-        images[index].set(p, type(p), p.state(), index, p.step().ahead);
+        images[index].set
+        (
+            p, type(p), p.state(), index, p.step().ahead, p.step().span
+        );
         ++index;
     }
 }

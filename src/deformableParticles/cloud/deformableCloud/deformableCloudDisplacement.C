@@ -16,8 +16,11 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
     label index = 0;
     for (const clumpParcel& p : *this)
     {
+        // Membranes are met at the end of a step
         from[index] = p.centre(type(p)) - p.sinceMet();
-        by[index] = p.sinceMet() + half*velocityOverMesh(p);
+        by[index] =
+            p.sinceMet()
+          + (type(p).hasSurface() ? 2 : 1)*half*velocityOverMesh(p);
         ++index;
     }
     for (const clumpType& ct : types_)

@@ -32,6 +32,7 @@ void Foam::deformableCloud::immerse
     {
         turnVelocities(corrected);
     }
+    immerseMembranes();
     impose();
 }
 
@@ -74,6 +75,7 @@ void Foam::deformableCloud::impose()
     }
     ghosts_.updateVelocities();
     coupling_->boundary().impose(ghosts_.images());
+    imposeMembranes();
 }
 
 
@@ -117,12 +119,20 @@ void Foam::deformableCloud::gatherForces
 
     coupling_->integrate(U, p, nu, ghosts_.images());
     ghosts_.returnForces();
+    if (coupled())
+    {
+        sampleMembranes(U);
+    }
 
     label index = 0;
     for (clumpParcel& parcel : *this)
     {
-        parcel.step().lastFluidForces = parcel.fluidForces();
-        coupling_->takeForces(parcel, ghosts_.images()[index++]);
+        clumpImage& image = ghosts_.images()[index++];
+        if (!type(parcel).hasSurface())
+        {
+            parcel.step().lastFluidForces = parcel.fluidForces();
+            coupling_->takeForces(parcel, image);
+        }
     }
 
     if (coupling_->rotates())
@@ -131,7 +141,11 @@ void Foam::deformableCloud::gatherForces
         index = 0;
         for (clumpParcel& parcel : *this)
         {
-            coupling_->takeTorques(parcel, ghosts_.images()[index++]);
+            const clumpImage& image = ghosts_.images()[index++];
+            if (!type(parcel).hasSurface())
+            {
+                coupling_->takeTorques(parcel, image);
+            }
         }
     }
 }
@@ -155,6 +169,11 @@ bool Foam::deformableCloud::startWithFlow
     updateGhosts();
     coupling_->sampleVelocity(U, nu, ghosts_.images());
     ghosts_.returnForces();
+    if (coupled())
+    {
+        immerseMembranes();
+        sampleMembranes(U);
+    }
 
     bool some = false;
     label index = 0;
@@ -163,7 +182,14 @@ bool Foam::deformableCloud::startWithFlow
         const clumpImage& image = ghosts_.images()[index++];
         if (followFlow_.found(p.origId()) && !type(p).fixed())
         {
-            coupling_->followFlow(p, image);
+            if (type(p).hasSurface())
+            {
+                p.state().u = p.step().nodes.u;
+            }
+            else
+            {
+                coupling_->followFlow(p, image);
+            }
             const vector held
             (
                 constraints_[p.typeId()] & p.state().velocity(type(p))
@@ -246,6 +272,10 @@ Foam::vector Foam::deformableCloud::excessMomentum() const
     {
         const clumpType& ct = type(p);
         const clumpState& s = p.state();
+        if (ct.hasSurface())
+        {
+            continue;
+        }
         result +=
             p.step().presence
            *sum
@@ -262,6 +292,10 @@ Foam::scalar Foam::deformableCloud::excessMass() const
     scalar result = 0;
     for (const clumpParcel& p : *this)
     {
+        if (type(p).hasSurface())
+        {
+            continue;
+        }
         result += type(p).mass() - fluidDensity()*sum(type(p).volumes());
     }
     return result;
@@ -281,6 +315,10 @@ void Foam::deformableCloud::meshChanged()
     ghosts_.meshChanged();
     contacting_.meshChanged();
     coupling_->boundary().meshChanged();
+    if (coupling_->surfaces())
+    {
+        coupling_->surfaces()->meshChanged();
+    }
     renewWalls();
     injector_->meshChanged();
     openPatches_.clear();

@@ -68,7 +68,7 @@ Foam::scalar Foam::deformableCloud::maxSpeedOverRadius() const
     for (const clumpParcel& p : *this)
     {
         const vectorField u(p.state().u - meshVelocity_);
-        result = max(result, max(mag(u)/type(p).radii()));
+        result = max(result, max(mag(u)/type(p).bodyRadii()));
     }
     return returnReduce(result, maxOp<scalar>());
 }
@@ -123,7 +123,7 @@ Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii)
         }
 
         const scalar size = max(mag(F), VSMALL);
-        const scalar way = radii*min(ct.radii());
+        const scalar way = radii*ct.halfWidth();
         scalar step = Foam::sqrt(way*ct.mass()/size);
         if (hasFluid())
         {
@@ -157,7 +157,7 @@ Foam::scalar Foam::deformableCloud::cellsPerDiameter() const
     {
         result = min
         (
-            result, 2*min(type(p).radii())/cbrt(mesh_.V()[p.cell()])
+            result, 2*type(p).halfWidth()/cbrt(mesh_.V()[p.cell()])
         );
     }
     return returnReduce(result, minOp<scalar>());

@@ -242,6 +242,13 @@ Foam::deformableCloud::deformableCloud
             )
         );
     }
+    if (surfaceImmersion::wanted(types_) && !coupled())
+    {
+        FatalIOErrorInFunction(getDict(dict_, "types"))
+            << "Entry 'types': a membrane has no inertia of its own and needs a fluid"
+            << " that feels it; without a fluid, or with feedback off or a frozen"
+            << " flow, there are only clumps of spheres." << exit(FatalIOError);
+    }
 
     const bool restarts = returnReduce(size(), sumOp<label>()) > 0;
     if (restarts)
@@ -354,6 +361,7 @@ void Foam::deformableCloud::readTypes()
     }
     types_.setSize(names.size());
     bonds_.setSize(names.size());
+    membranes_.setSize(names.size());
 
     forAll(names, i)
     {
@@ -370,6 +378,10 @@ void Foam::deformableCloud::readTypes()
         }
         types_.set(i, new clumpType(names[i], type));
         bonds_.set(i, new clumpBonds(types_[i], type));
+        if (types_[i].hasSurface())
+        {
+            membranes_.set(i, new membraneStep(types_[i], type));
+        }
         typeIds_.insert(names[i], i);
     }
 }

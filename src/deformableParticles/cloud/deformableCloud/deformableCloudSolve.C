@@ -70,7 +70,7 @@ void Foam::deformableCloud::solveOnce(const scalar dt)
     for (clumpParcel& p : *this)
     {
         clumpStep& step = p.step();
-        if (!type(p).fixed())
+        if (!type(p).fixed() && !type(p).hasSurface())
         {
             momentum_.addStep(type(p), p.state(), step);
         }
@@ -187,6 +187,12 @@ void Foam::deformableCloud::setSteadyForces
     externalForces& ext = p.step().steadyForces;
     ext = externalForces(ct.size());
 
+    if (ct.hasSurface())
+    {
+        setNodeForces(p, ext);
+        momentum_.addFluid(p, vectorField());
+        return;
+    }
     if (effects_.active("gravity"))
     {
         const timeBreakdown::timer t(timing_, "gravity");
@@ -251,11 +257,21 @@ void Foam::deformableCloud::addLoads()
     label index = 0;
     for (clumpParcel& p : *this)
     {
-        for (const load& l : loads_)
-        {
-            addLoad(l, p, index, p.step().forces);
-        }
-        ++index;
+        addLoads(p, index++, p.step().forces);
+    }
+}
+
+
+void Foam::deformableCloud::addLoads
+(
+    const clumpParcel& p,
+    const label index,
+    externalForces& ext
+) const
+{
+    for (const load& l : loads_)
+    {
+        addLoad(l, p, index, ext);
     }
 }
 
@@ -267,6 +283,15 @@ void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
     p.step().guessed = false;
     if (type(p).fixed())
     {
+        return;
+    }
+    if (type(p).hasSurface())
+    {
+        membranes_[p.typeId()].advance
+        (
+            p, coupling_->viscosity(), dt, mesh_.time().deltaT0Value()
+        );
+        ++nSolves_;
         return;
     }
     integrator_->advance(bonds(p), p.step().forces, dt, end);

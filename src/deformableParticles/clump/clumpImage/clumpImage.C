@@ -11,7 +11,8 @@ void Foam::clumpImage::set
     const clumpType& type,
     const clumpState& s,
     const label parcelIndex,
-    const vector& ahead
+    const vector& ahead,
+    const scalar span
 )
 {
     owner = Pstream::myProcNo();
@@ -29,9 +30,15 @@ void Foam::clumpImage::set
     omega = Zero;
     contraction = 0;
     box = boundBox::invertedBox;
+    const bool deforms = type.hasSurface() && span > 0;
+    const vector velocity(deforms ? s.velocity(type) : vector::zero);
     forAll(x, i)
     {
         x[i] = s.x[i] + centre + ahead;
+        if (deforms)
+        {
+            x[i] += span*(s.u[i] - velocity);
+        }
         box.add(x[i] - type.radii()[i]*vector::one);
         box.add(x[i] + type.radii()[i]*vector::one);
     }

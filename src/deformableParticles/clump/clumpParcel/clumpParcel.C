@@ -82,6 +82,7 @@ void Foam::clumpParcel::accept
     acceleration_ = (change - shared*dU)/mesh().time().deltaTValue();
     state_ = step_.end;
     step_.ahead = Zero;
+    step_.span = 0;
 }
 
 

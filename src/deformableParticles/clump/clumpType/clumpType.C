@@ -14,25 +14,22 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     share_(getBetweenOrDefault(dict, "share", 1, 0, 1)),
     density_(getPositive(dict, "density")),
     smoothVolume_(0),
-    fixed_(false)
+    fixed_(false),
+    halfWidth_(0)
 {
-    // The last four are those of clumpBonds
-    checkEntries
-    (
-        dict,
-        {
-            "shape", "density", "massModel", "motion", "nominalVolume", "scale",
-            "classOf", "share",
-            "bondModel", "dampingModel", "conservationModel",
-            "conservationModels"
-        }
-    );
-
     const auto geometry(clumpShapes::shape::New(getDict(dict, "shape")));
     const scalar scale = getPositiveOrDefault(dict, "scale", 1);
     centres_ = scale*geometry->centres();
     radii_ = scale*geometry->radii();
     pairs_ = geometry->bonds();
+    if (geometry->triangles().size())
+    {
+        surface_.reset
+        (
+            new closedSurface(centres_, geometry->triangles(), dict)
+        );
+    }
+    check(dict);
 
     const word motion(dict.getOrDefault<word>("motion", "free"));
     if (motion != "free" && motion != "fixed")
@@ -45,7 +42,14 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     }
     fixed_ = motion == "fixed";
 
-    setMasses(dict);
+    if (hasSurface())
+    {
+        setSurfaceMasses();
+    }
+    else
+    {
+        setMasses(dict);
+    }
 
     // With massModel fullSpheres the volume may underflow to zero
     nominalVolume_ =
@@ -53,7 +57,81 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
       ? getPositive(dict, "nominalVolume") : volume_;
 
     reach_ = max(mag(centres_) + radii_);
-    setTransitions();
+    if (!hasSurface())
+    {
+        setTransitions();
+    }
+}
+
+
+void Foam::clumpType::check(const dictionary& dict) const
+{
+    if (!hasSurface())
+    {
+        // The last four are those of clumpBonds
+        checkEntries
+        (
+            dict,
+            {
+                "shape", "density", "massModel", "motion", "nominalVolume", "scale",
+                "classOf", "share", "bondModel", "dampingModel", "conservationModel",
+                "conservationModels"
+            }
+        );
+        return;
+    }
+
+    // The last two are those of membraneMechanics and surfaceImmersion
+    checkEntries
+    (
+        dict,
+        {
+            "shape", "density", "motion", "nominalVolume", "scale", "classOf",
+            "share", "membrane", "kernel"
+        }
+    );
+    for
+    (
+        const word key :
+        {
+            "bondModel", "dampingModel", "conservationModel",
+            "conservationModels", "massModel"
+        }
+    )
+    {
+        if (dict.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << key << "': the shape of the type is a surface, whose"
+                << " nodes are held together by the entry 'membrane'."
+                << exit(FatalIOError);
+        }
+    }
+    if (dict.getOrDefault<word>("motion", "free") == "fixed")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'motion': a membrane moves with the fluid and cannot be fixed."
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::clumpType::setSurfaceMasses()
+{
+    volume_ = surface_->volume(centres_);
+    const scalar area = surface_->area(centres_);
+    const scalarField share(surface_->nodeAreas(centres_)/area);
+
+    masses_ = density_*volume_*share;
+    volumes_ = volume_*share;
+    inertias_ = scalarField(size(), Zero);
+    centres_ -= sum(share*centres_);
+    smoothVolume_ = volume_;
+
+    halfWidth_ = 3*volume_/area;
+    dragRadii_ = 4*area*share/(3*constant::mathematical::pi*halfWidth_);
+    bodyRadii_ = scalarField(size(), halfWidth_);
+    transitions_ = radii_;
 }
 
 
@@ -95,6 +173,9 @@ void Foam::clumpType::setMasses(const dictionary& dict)
     masses_ = density_*V*cubes/sum(cubes);
     volumes_ = volume_*cubes/sum(cubes);
     inertias_ = 0.4*masses_*sqr(radii_);
+    dragRadii_ = radii_;
+    bodyRadii_ = radii_;
+    halfWidth_ = min(radii_);
 
     centres_ -= sum(masses_*centres_)/sum(masses_);
     vectorField grad(size());
@@ -130,6 +211,10 @@ Foam::scalar Foam::clumpType::relativeVolume(const pointField& x) const
     if (size() == 1)
     {
         return 1;
+    }
+    if (hasSurface())
+    {
+        return surface_->volume(x)/volume_;
     }
     vectorField grad(size());
     return sphereUnion::smoothVolume(x, radii_, grad)/smoothVolume_;

@@ -383,7 +383,40 @@ void Foam::ghostExchange::updateVelocities()
 }
 
 
-void Foam::ghostExchange::returnSums(imageForces clumpImage::* forces)
+template<class Type>
+void Foam::ghostExchange::copyToImages(Type clumpImage::* value)
+{
+    forAll(neighbours_, n)
+    {
+        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        for (const label i : sent_[n])
+        {
+            os << images_[i].*value;
+        }
+    }
+    for (label i = nOwn_; i < images_.size(); ++i)
+    {
+        if (images_[i].owner == Pstream::myProcNo())
+        {
+            images_[i].*value = images_[images_[i].index].*value;
+        }
+    }
+    for (const label proci : neighbours_)
+    {
+        IPstream is(Pstream::commsTypes::blocking, proci);
+        for (clumpImage& image : images_)
+        {
+            if (image.owner == proci)
+            {
+                is >> image.*value;
+            }
+        }
+    }
+}
+
+
+template<class Sums>
+void Foam::ghostExchange::returnSums(Sums clumpImage::* sums)
 {
     const label me = Pstream::myProcNo();
 
@@ -394,7 +427,7 @@ void Foam::ghostExchange::returnSums(imageForces clumpImage::* forces)
         {
             if (image.owner == proci)
             {
-                os << image.*forces;
+                os << image.*sums;
             }
         }
     }
@@ -403,7 +436,7 @@ void Foam::ghostExchange::returnSums(imageForces clumpImage::* forces)
     {
         if (images_[i].owner == me)
         {
-            images_[images_[i].index].*forces += images_[i].*forces;
+            images_[images_[i].index].*sums += images_[i].*sums;
         }
     }
 
@@ -413,9 +446,45 @@ void Foam::ghostExchange::returnSums(imageForces clumpImage::* forces)
         IPstream is(Pstream::commsTypes::blocking, neighbours_[n]);
         for (const label i : sent_[n])
         {
-            imageForces sums;
-            is >> sums;
-            images_[i].*forces += sums;
+            Sums received;
+            is >> received;
+            images_[i].*sums += received;
         }
     }
+}
+
+
+void Foam::ghostExchange::returnForces()
+{
+    returnSums(&clumpImage::fluid);
+}
+
+
+void Foam::ghostExchange::returnTensions()
+{
+    returnSums(&clumpImage::tension);
+}
+
+
+void Foam::ghostExchange::returnMoments()
+{
+    returnSums(&clumpImage::moments);
+}
+
+
+void Foam::ghostExchange::returnSamples()
+{
+    returnSums(&clumpImage::sampled);
+}
+
+
+void Foam::ghostExchange::updateWeights()
+{
+    copyToImages(&clumpImage::weights);
+}
+
+
+void Foam::ghostExchange::updateNodeForces()
+{
+    copyToImages(&clumpImage::force);
 }

@@ -98,7 +98,7 @@ Foam::scalar Foam::contactStep::deviation() const
     {
         const clumpState& start = clumps_[a].state();
         const clumpState& end = clumps_[a].step().end;
-        if (!type(a).fixed())
+        if (!type(a).fixed() && !type(a).hasSurface())
         {
             forAll(start.x, i)
             {

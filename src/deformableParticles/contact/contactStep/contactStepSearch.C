@@ -121,7 +121,7 @@ void Foam::contactStep::findWalls(const label a)
     // Around all places that the clump may reach in the step
     const clumpParcel& p = clumps_[a];
     wallsNear_[a].clear();
-    if (type(a).fixed())
+    if (type(a).fixed() || type(a).hasSurface())
     {
         return;
     }
@@ -272,6 +272,10 @@ void Foam::contactStep::findPairs()
         {
             const clumpImage& A = images[a];
             const clumpImage& B = images[b];
+            if (types_[A.typeId].hasSurface() || types_[B.typeId].hasSurface())
+            {
+                return;
+            }
             const scalarField& rA = types_[A.typeId].radii();
             const scalarField& rB = types_[B.typeId].radii();
 

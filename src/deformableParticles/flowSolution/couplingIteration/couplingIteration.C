@@ -74,7 +74,7 @@ Foam::scalarField Foam::couplingIteration::unknowns
         const clumpStep& step = parcel.step();
         const vectorField& u = imposed ? step.imposedU : step.end.u;
         const vectorField& w = imposed ? step.imposedW : step.end.w;
-        const scalarField& r = cloud_.type(parcel).radii();
+        const scalarField& r = cloud_.type(parcel).dragRadii();
         const scalarField scale(ofVelocity*Foam::sqrt(r));
         forAll(u, i)
         {
@@ -102,7 +102,7 @@ void Foam::couplingIteration::add(const scalarField& change)
     for (clumpParcel& parcel : cloud_)
     {
         clumpState& end = parcel.step().end;
-        const scalarField& r = cloud_.type(parcel).radii();
+        const scalarField& r = cloud_.type(parcel).dragRadii();
         const scalarField scale(ofVelocity*Foam::sqrt(r));
         forAll(r, i)
         {

@@ -67,6 +67,13 @@ Foam::fluidCoupling::fluidCoupling
             mesh, types, getDict(clumpProperties, "immersedBoundary")
         )
     );
+    if (surfaceImmersion::wanted(types))
+    {
+        surfaces_.reset
+        (
+            new surfaceImmersion(mesh, types, getDict(clumpProperties, "types"))
+        );
+    }
 }
 
 
@@ -99,13 +106,28 @@ void Foam::fluidCoupling::readFluid(const dictionary& clumpProperties)
 }
 
 
+Foam::tmp<Foam::fvVectorMatrix> Foam::fluidCoupling::forcing
+(
+    const volVectorField& U
+) const
+{
+    tmp<fvVectorMatrix> result(boundary_->forcing(U));
+    if (surfaces_.valid())
+    {
+        result.ref() +=
+            surfaces_->force()/dimensionedScalar("rho", dimDensity, rho_);
+    }
+    return result;
+}
+
+
 void Foam::fluidCoupling::setRotation
 (
     clumpImage& image,
     const clumpState& s
 ) const
 {
-    if (rotation_.valid())
+    if (rotation_.valid() && !types_[image.typeId].hasSurface())
     {
         image.omega = rotation_->angularVelocities(types_[image.typeId], s);
     }
@@ -200,7 +222,11 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
 ) const
 {
     const clumpState& s = p.state();
-    if (!twoWay() || !boundary_->addsInteriorInertia())
+    if
+    (
+        !twoWay() || !boundary_->addsInteriorInertia()
+     || types_[p.typeId()].hasSurface()
+    )
     {
         return vectorField(s.u.size(), Zero);
     }
@@ -253,11 +279,11 @@ bool Foam::fluidCoupling::turn
     const bool extrapolate
 ) const
 {
-    if (!scheme_->turns())
+    const clumpType& type = types_[p.typeId()];
+    if (!scheme_->turns() || type.hasSurface())
     {
         return false;
     }
-    const clumpType& type = types_[p.typeId()];
     const clumpState& s = p.state();
     const vector velocity(s.velocity(type));
     const vector next
@@ -280,6 +306,10 @@ bool Foam::fluidCoupling::adapt
     const bool repeated
 ) const
 {
+    if (types_[p.typeId()].hasSurface())
+    {
+        return false;
+    }
     clumpStep& step = p.step();
     const vectorField& u = step.end.u;
     const vectorField now(u - step.imposedU);

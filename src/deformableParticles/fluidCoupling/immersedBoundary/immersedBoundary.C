@@ -117,6 +117,10 @@ void Foam::immersedBoundary::checkResolution
 {
     for (const clumpImage& image : images)
     {
+        if (types_[image.typeId].hasSurface())
+        {
+            continue;
+        }
         coveredCells c;
         c.update
         (
@@ -255,6 +259,11 @@ void Foam::immersedBoundary::update
 
     forAll(images, a)
     {
+        if (types_[images[a].typeId].hasSurface())
+        {
+            covered_[a].clear(images[a].typeId);
+            continue;
+        }
         covered_[a].update
         (
             geometry_, *solidFractionModel_, *forcingModel_,

@@ -6,6 +6,7 @@
 #include "clumpShape.H"
 #include "deformableCloud.H"
 #include "sphereUnion.H"
+#include "symmTensorField.H"
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
 #include <Eigen/Dense>
@@ -24,18 +25,14 @@ namespace
 
 using namespace Foam;
 
-//- Principal axes of the sphere centres as rows, longest first
-tensor principalAxes(const pointField& x, const point& centre)
+//- Principal axes of second moments as rows, longest first
+tensor principalAxes(const symmTensor& M)
 {
-    Eigen::Matrix3d moments(Eigen::Matrix3d::Zero());
-    for (const point& p : x)
-    {
-        const Eigen::Vector3d r
-        (
-            p.x() - centre.x(), p.y() - centre.y(), p.z() - centre.z()
-        );
-        moments += r*r.transpose();
-    }
+    Eigen::Matrix3d moments;
+    moments <<
+        M.xx(), M.xy(), M.xz(),
+        M.xy(), M.yy(), M.yz(),
+        M.xz(), M.yz(), M.zz();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver
     (
         moments/max(moments.trace(), VSMALL)
@@ -133,9 +130,13 @@ Foam::string Foam::functionObjects::clumpShape::row
     const clumpType& type
 ) const
 {
+    if (type.hasSurface())
+    {
+        return membraneRow(p, type);
+    }
     const clumpState& s = p.state();
     const point centre(s.centre(type));
-    const tensor axes(principalAxes(s.x, centre));
+    const tensor axes(principalAxes(sum(sqr(s.x - centre))));
     const vector lengths(extents(s.x, type.radii(), axes));
 
     // The longest axis has no sign
@@ -164,6 +165,58 @@ Foam::string Foam::functionObjects::clumpShape::row
                 angle(s.x[marked] - centre),
                 polygonArea(s.x),
                 sphereUnion::volume(s.x, type.radii(), 100)
+            }
+        );
+}
+
+
+Foam::string Foam::functionObjects::clumpShape::membraneRow
+(
+    const clumpParcel& p,
+    const clumpType& type
+) const
+{
+    const clumpState& s = p.state();
+    const scalar V = type.surface().volume(s.x);
+
+    // An ellipsoid has the moments V a^2/5
+    const symmTensor squares(5/V*type.surface().secondMoments(s.x));
+    const tensor R(principalAxes(squares));
+    const auto length = [&squares](const vector& e)
+    {
+        return 2*Foam::sqrt(e & (squares & e));
+    };
+    const vector lengths(length(R.x()), length(R.y()), length(R.z()));
+
+    // Of the section by the plane of flow and gradient
+    const vector& ex = flow();
+    const vector& ey = gradient();
+    const scalar xx = ex & (squares & ex);
+    const scalar xy = ex & (squares & ey);
+    const scalar yy = ey & (squares & ey);
+    const scalar apart = Foam::sqrt(sqr(0.5*(xx - yy)) + sqr(xy));
+    const scalar L = Foam::sqrt(0.5*(xx + yy) + apart);
+    const scalar B = Foam::sqrt(0.5*(xx + yy) - apart);
+
+    const label marked = min(marked_, type.size() - 1);
+    return
+        columns
+        (
+            {
+                extents(s.x, scalarField(s.x.size(), Zero), tensor::I),
+                lengths,
+                R.x(),
+                s.angularVelocity(type)
+            }
+        )
+      + columns
+        (
+            {
+                (L - B)/(L + B),
+                apart > 0 ? 0.5*Foam::atan2(2*xy, xx - yy) : 0,
+                angle(s.x[marked] - s.centre(type)),
+                type.surface().area(s.x),
+                V
             }
         );
 }

@@ -7,6 +7,7 @@
 #include "deformableCloud.H"
 #include "bondForces.H"
 #include "foamVtkOutput.H"
+#include "globalIndex.H"
 #include "addToRunTimeSelectionTable.H"
 #include "OSspecific.H"
 #include <fstream>
@@ -75,7 +76,8 @@ void beginPiece
     vtk::formatter& format,
     const List<point>& points,
     const label nVerts,
-    const label nLines
+    const label nLines,
+    const labelList& triangles = labelList()
 )
 {
     format
@@ -84,7 +86,8 @@ void beginPiece
             vtk::fileTag::PIECE,
             vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
             vtk::fileAttr::NUMBER_OF_VERTS, nVerts,
-            vtk::fileAttr::NUMBER_OF_LINES, nLines
+            vtk::fileAttr::NUMBER_OF_LINES, nLines,
+            vtk::fileAttr::NUMBER_OF_POLYS, triangles.size()/3
         );
 
     format.tag(vtk::fileTag::POINTS);
@@ -95,15 +98,25 @@ void beginPiece
     format.endDataArray();
     format.endTag(vtk::fileTag::POINTS);
 
-    // Point i belongs to cell i/size: connectivity is the identity
-    const label nCells = nVerts + nLines;
-    const label size = nLines ? 2 : 1;
-    const auto tag = nLines ? vtk::fileTag::LINES : vtk::fileTag::VERTS;
+    const bool polygons = triangles.size();
+    const label nCells = nVerts + nLines + triangles.size()/3;
+    const label size = polygons ? 3 : nLines ? 2 : 1;
+    const auto tag =
+        polygons ? vtk::fileTag::POLYS
+      : nLines ? vtk::fileTag::LINES : vtk::fileTag::VERTS;
 
     format.tag(tag);
     format.beginDataArray<label>(vtk::dataArrayAttr::CONNECTIVITY);
     format.writeSize(vtk::sizeofData<label>(size*nCells));
-    vtk::writeIdentity(format, size*nCells);
+    if (polygons)
+    {
+        vtk::writeList(format, triangles);
+    }
+    else
+    {
+        // Point i belongs to cell i/size
+        vtk::writeIdentity(format, size*nCells);
+    }
     format.flush();
     format.endDataArray();
 
@@ -177,6 +190,7 @@ void Foam::functionObjects::vtkClumps::load(const fileName& dir)
         const scalar end = time_.startTime().value() + 0.5*time_.deltaTValue();
         spheres_.load(dir/"spheres.vtp", true, end);
         bonds_.load(dir/"bonds.vtp", true, end);
+        membranes_.load(dir/"membranes.vtp", true, end);
         loaded_ = true;
     }
 }
@@ -205,7 +219,7 @@ bool Foam::functionObjects::vtkClumps::write()
         const clumpType& type = cloud.type(p);
         const pointField x(p.centres());
 
-        forAll(x, i)
+        for (label i = 0; i < x.size() && !type.hasSurface(); ++i)
         {
             centres.append(x[i]);
             radii.append(type.radii()[i]);
@@ -237,6 +251,7 @@ bool Foam::functionObjects::vtkClumps::write()
     const List<scalar> allTension(gathered(tension));
     const List<scalar> allBondClumps(gathered(bondClumps));
 
+    writeMembranes(cloud);
     if (!Pstream::master())
     {
         return true;
@@ -292,4 +307,87 @@ bool Foam::functionObjects::vtkClumps::write()
     }
 
     return true;
+}
+
+
+void Foam::functionObjects::vtkClumps::writeMembranes
+(
+    const deformableCloud& cloud
+)
+{
+    bool some = false;
+    for (const clumpType& type : cloud.types())
+    {
+        some = some || type.hasSurface();
+    }
+    if (!some)
+    {
+        return;
+    }
+
+    DynamicList<point> nodes;
+    DynamicList<vector> velocities, forces;
+    DynamicList<scalar> clumps;
+    DynamicList<label> corners;
+    for (const clumpParcel& p : cloud)
+    {
+        const clumpType& type = cloud.type(p);
+        if (!type.hasSurface())
+        {
+            continue;
+        }
+        const label first = nodes.size();
+        nodes.append(p.centres());
+        velocities.append(p.state().u);
+        forces.append(-p.fluidForces());
+        clumps.append(scalarField(type.size(), p.origId()));
+        for (const triFace& t : type.surface().triangles())
+        {
+            for (const label i : t)
+            {
+                corners.append(first + i);
+            }
+        }
+    }
+
+    // The nodes of a processor follow those of the ones before
+    const globalIndex order(nodes.size());
+    for (label& i : corners)
+    {
+        i = order.toGlobal(i);
+    }
+    const List<point> allNodes(gathered(nodes));
+    const List<vector> allVelocities(gathered(velocities));
+    const List<vector> allForces(gathered(forces));
+    const List<scalar> allClumps(gathered(clumps));
+    const List<label> allCorners(gathered(corners));
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    const fileName dir(time_.globalPath()/"VTK"/cloud.name());
+    mkDir(dir);
+    load(dir);
+    const fileName file
+    (
+        dir/"membranes_" + Foam::name(time_.timeIndex()) + ".vtp"
+    );
+    std::ofstream os(file);
+    autoPtr<vtk::formatter> format
+    (
+        vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
+    );
+    format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
+    beginPiece(*format, allNodes, 0, 0, allCorners);
+    format->beginPointData();
+    writeField(*format, "clump", allClumps);
+    writeField(*format, "U", allVelocities);
+    writeField(*format, "force", allForces);
+    format->endPointData();
+    endPiece(*format);
+    refuseUnwritten(os, file);
+    membranes_.append(time_.value(), file.name());
+    membranes_.sort();
+    membranes_.write(dir/"membranes.vtp");
 }

@@ -380,7 +380,7 @@ void Foam::watchdog::check()
         const clumpState& s = p.state();
         const scalar displacement =
             runTime_.deltaTValue()
-           *max(mag(s.u - cloud_.meshVelocity())/type.radii());
+           *max(mag(s.u - cloud_.meshVelocity())/type.bodyRadii());
         const scalar size =
             (extent(s.x) + max(type.radii()))
            /(extent(type.centres()) + max(type.radii()));

@@ -1,0 +1,209 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceImmersion.H"
+
+Foam::surfaceImmersion::surfaceImmersion
+(
+    const fvMesh& mesh,
+    const PtrList<clumpType>& types,
+    const dictionary& dict
+)
+:
+    mesh_(mesh),
+    types_(types),
+    geometry_(mesh),
+    force_
+    (
+        IOobject("membraneForce", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero)
+    )
+{
+    for (const clumpType& type : types)
+    {
+        kernels_.append
+        (
+            type.hasSurface()
+          ? new surfaceKernel(getDict(dict, type.name()))
+          : new surfaceKernel(surfaceKernel::form::hat)
+        );
+    }
+    setWidths();
+}
+
+
+bool Foam::surfaceImmersion::wanted(const PtrList<clumpType>& types)
+{
+    for (const clumpType& type : types)
+    {
+        if (type.hasSurface())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::surfaceImmersion::setWidths()
+{
+    widths_.setSize(mesh_.nCells());
+    forAll(widths_, celli)
+    {
+        const boundBox box(mesh_.points(), mesh_.cellPoints()[celli], false);
+
+        // Of the volume of the mesh cell, whatever its form
+        const vector span(box.span());
+        widths_[celli] =
+            span*Foam::cbrt(mesh_.V()[celli]/cmptProduct(span));
+    }
+}
+
+
+void Foam::surfaceImmersion::meshChanged()
+{
+    geometry_.update();
+    setWidths();
+    meetings_.clear();
+    force_ = dimensionedVector(dimForce/dimVolume, Zero);
+}
+
+
+void Foam::surfaceImmersion::find
+(
+    const clumpImage& image,
+    DynamicList<meeting>& meetings
+) const
+{
+    meetings.clear();
+    const surfaceKernel& K = kernels_[image.typeId];
+    const scalar support = K.support();
+
+    pointGrid nodes;
+    nodes.update(image.x);
+    DynamicList<label> near;
+
+    // A mesh cell reaches at least half its width from its centre
+    for (const label celli : geometry_.find(boundBox(image.x, false), 2*support))
+    {
+        const point& x = geometry_[celli].x;
+        const vector& h = widths_[celli];
+        const boundBox box(x - support*h, x + support*h);
+        if (!box.overlaps(image.box))
+        {
+            continue;
+        }
+        nodes.find(box, near);
+        for (const label i : near)
+        {
+            const vector r(x - image.x[i]);
+            const scalar k = K(r.x()/h.x())*K(r.y()/h.y())*K(r.z()/h.z());
+            if (k > 0)
+            {
+                meetings.append({i, celli, k*geometry_[celli].volume, r});
+            }
+        }
+    }
+}
+
+
+void Foam::surfaceImmersion::update(ghostExchange& ghosts)
+{
+    UList<clumpImage>& images = ghosts.images();
+    meetings_.setSize(images.size());
+    forAll(images, a)
+    {
+        clumpImage& image = images[a];
+        meetings_[a].clear();
+        const bool surface = types_[image.typeId].hasSurface();
+        image.moments.reset(surface ? image.x.size() : 0);
+        if (!surface)
+        {
+            image.weights = nodeWeights();
+            image.force.clear();
+            continue;
+        }
+        find(image, meetings_[a]);
+        for (const meeting& m : meetings_[a])
+        {
+            image.moments.m0[m.node] += m.weight;
+            image.moments.m1[m.node] += m.weight*m.r;
+            image.moments.m2[m.node] += m.weight*sqr(m.r);
+        }
+    }
+
+    ghosts.returnMoments();
+    for (label a = 0; a < ghosts.nOwn(); ++a)
+    {
+        images[a].weights.set(images[a].moments);
+    }
+    ghosts.updateWeights();
+
+    forAll(images, a)
+    {
+        const nodeWeights& w = images[a].weights;
+        for (meeting& m : meetings_[a])
+        {
+            m.weight *= w.a[m.node] + (w.b[m.node] & m.r);
+        }
+    }
+}
+
+
+Foam::scalarField Foam::surfaceImmersion::smoothing
+(
+    const clumpImage& image,
+    const vectorField& areaVectors
+) const
+{
+    const surfaceKernel& K = kernels_[image.typeId];
+    scalarField l(image.x.size());
+    forAll(l, i)
+    {
+        const vector n(areaVectors[i]/max(mag(areaVectors[i]), VSMALL));
+        const scalar variance = n & (image.moments.covariance(i) & n);
+        l[i] =
+            K.meanDistance()
+           *Foam::sqrt(max(variance, scalar(0))/K.variance());
+    }
+    return l;
+}
+
+
+void Foam::surfaceImmersion::sample
+(
+    const volVectorField& U,
+    ghostExchange& ghosts
+) const
+{
+    forAll(meetings_, a)
+    {
+        clumpImage& image = ghosts.images()[a];
+        image.sampled.setSize(image.weights.a.size());
+        image.sampled = Zero;
+        for (const meeting& m : meetings_[a])
+        {
+            image.sampled[m.node] += m.weight*U[m.celli];
+        }
+    }
+    ghosts.returnSamples();
+}
+
+
+void Foam::surfaceImmersion::spread(ghostExchange& ghosts)
+{
+    ghosts.updateNodeForces();
+    force_.primitiveFieldRef() = Zero;
+    forAll(meetings_, a)
+    {
+        const clumpImage& image = ghosts.images()[a];
+        for (const meeting& m : meetings_[a])
+        {
+            force_[m.celli] +=
+                m.weight/geometry_[m.celli].volume*image.force[m.node];
+        }
+    }
+}

@@ -1,0 +1,71 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceKernel.H"
+
+const Foam::Enum<Foam::surfaceKernel::form> Foam::surfaceKernel::names
+({
+    { form::hat, "hat" },
+    { form::threePoint, "threePoint" },
+    { form::fourPoint, "fourPoint" },
+});
+
+
+Foam::surfaceKernel::surfaceKernel(const form f)
+:
+    form_(f),
+    variance_(0),
+    meanDistance_(0)
+{
+    constexpr label nPlaces = 200;
+    constexpr label reach = 3;
+
+    for (label n = 0; n < nPlaces; ++n)
+    {
+        const scalar y = (n + 0.5)/nPlaces;
+        for (label c = -reach; c <= reach; ++c)
+        {
+            const scalar K = (*this)(c - y);
+            variance_ += K*sqr(c - y)/nPlaces;
+            for (label d = -reach; d <= reach; ++d)
+            {
+                meanDistance_ += K*(*this)(d - y)*mag(c - d)/nPlaces;
+            }
+        }
+    }
+}
+
+
+Foam::surfaceKernel::surfaceKernel(const dictionary& dict)
+:
+    surfaceKernel(names.getOrDefault("kernel", dict, form::threePoint))
+{}
+
+
+Foam::scalar Foam::surfaceKernel::operator()(const scalar r) const
+{
+    const scalar a = mag(r);
+    if (a >= support())
+    {
+        return 0;
+    }
+    switch (form_)
+    {
+        case form::hat:
+            return 1 - a;
+
+        case form::threePoint:
+            return
+                a < 0.5
+              ? (1 + Foam::sqrt(1 - 3*sqr(a)))/3
+              : (5 - 3*a - Foam::sqrt(max(1 - 3*sqr(1 - a), scalar(0))))/6;
+
+        default:
+            return
+                a < 1
+              ? (3 - 2*a + Foam::sqrt(1 + 4*a - 4*sqr(a)))/8
+              : (5 - 2*a - Foam::sqrt(max(-7 + 12*a - 4*sqr(a), scalar(0))))/8;
+    }
+}

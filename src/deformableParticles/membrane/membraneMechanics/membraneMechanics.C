@@ -1,0 +1,61 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "membraneMechanics.H"
+
+Foam::membraneMechanics::membraneMechanics
+(
+    const clumpType& type,
+    const dictionary& dict
+)
+:
+    type_(type),
+    rings_(1)
+{
+    const dictionary& models = getDict(dict, "membrane");
+    for (const word& name : models.toc())
+    {
+        models_.append
+        (
+            selectModel<membraneModel>
+            (
+                getDict(models, name), type.surface(), type.centres()
+            ).ptr()
+        );
+        rings_ = max(rings_, models_.last().rings());
+    }
+    if (models_.empty())
+    {
+        FatalIOErrorInFunction(models)
+            << "Entry 'membrane' has no model of what holds the nodes together, for"
+            << " example  strain { type neoHookean; shearModulus 5e-6; }"
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::scalar Foam::membraneMechanics::add
+(
+    const pointField& x,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    scalar energy = 0;
+    for (const membraneModel& model : models_)
+    {
+        energy += model.add(x, gradient, tangent);
+    }
+    return energy;
+}
+
+
+Foam::vectorField Foam::membraneMechanics::forces(const pointField& x) const
+{
+    vectorField f(x.size(), Zero);
+    add(x, f);
+    f.negate();
+    return f;
+}

@@ -1,0 +1,199 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "helfrich.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- The angle between the normals of the two triangles at an edge, positive where the
+//  surface is convex, and its derivatives by the four nodes i, j, left, right
+struct fold
+{
+    scalar length, angle;
+    vector along;
+    FixedList<vector, 4> gradient;
+
+    fold(const closedSurface::hinge& h, const pointField& x)
+    {
+        const vector e(x[h.j] - x[h.i]);
+        const vector left(x[h.left] - x[h.i]);
+        const vector right(x[h.right] - x[h.i]);
+        const vector n(e ^ left);
+        const vector m(right ^ e);
+        length = mag(e);
+        along = e/length;
+        angle = Foam::atan2((n ^ m) & along, n & m);
+
+        const vector N(n/magSqr(n));
+        const vector M(m/magSqr(m));
+        gradient[2] = -length*N;
+        gradient[3] = -length*M;
+        gradient[1] = (left & along)*N + (right & along)*M;
+        gradient[0] = -gradient[1] - gradient[2] - gradient[3];
+    }
+
+    //- Derivatives of the product of length and angle
+    vector ofProduct(const label k) const
+    {
+        const vector g(length*gradient[k]);
+        return k == 0 ? g - angle*along : k == 1 ? g + angle*along : g;
+    }
+};
+
+//- The derivatives of a triangle's area by its nodes
+FixedList<vector, 3> areaGradient(const triFace& t, const pointField& x)
+{
+    const vector S((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
+    const vector n(S/mag(S));
+    FixedList<vector, 3> g;
+    forAll(t, k)
+    {
+        g[k] = 0.5*(n ^ (x[t[t.rcIndex(k)]] - x[t[t.fcIndex(k)]]));
+    }
+    return g;
+}
+
+}
+
+
+namespace Foam
+{
+namespace membraneModels
+{
+    defineTypeNameAndDebug(helfrich, 0);
+    addToRunTimeSelectionTable(membraneModel, helfrich, dictionary);
+}
+}
+
+
+Foam::membraneModels::helfrich::helfrich
+(
+    const dictionary& dict,
+    const closedSurface& surface,
+    const pointField&
+)
+:
+    surface_(surface),
+    stiffness_(getPositive(dict, "bendingStiffness")),
+    curvature_(getFiniteOrDefault<scalar>(dict, "spontaneousCurvature", 0)),
+    ring_(surface.nNodes())
+{
+    checkEntries(dict, {"type", "bendingStiffness", "spontaneousCurvature"});
+
+    forAll(ring_, i)
+    {
+        ring_[i].append(i);
+    }
+    for (const closedSurface::hinge& h : surface.hinges())
+    {
+        ring_[h.i].append(h.j);
+        ring_[h.j].append(h.i);
+    }
+}
+
+
+Foam::scalar Foam::membraneModels::helfrich::add
+(
+    const pointField& x,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    const scalarField A(surface_.nodeAreas(x));
+    scalarField M(A.size(), Zero);
+    for (const closedSurface::hinge& h : surface_.hinges())
+    {
+        const fold f(h, x);
+        const scalar quarter = 0.25*f.length*f.angle;
+        M[h.i] += quarter;
+        M[h.j] += quarter;
+    }
+
+    // Half the deviation of 2 H from c0
+    const scalarField d(M/A - 0.5*curvature_);
+
+    for (const closedSurface::hinge& h : surface_.hinges())
+    {
+        const fold f(h, x);
+        const scalar k = stiffness_*(d[h.i] + d[h.j]);
+        gradient[h.i] += k*f.ofProduct(0);
+        gradient[h.j] += k*f.ofProduct(1);
+        gradient[h.left] += k*f.ofProduct(2);
+        gradient[h.right] += k*f.ofProduct(3);
+    }
+    const scalarField ofArea(2*stiffness_*d*(d - 2*M/A)/3);
+    for (const triFace& t : surface_.triangles())
+    {
+        const FixedList<vector, 3> g(areaGradient(t, x));
+        const scalar k = ofArea[t[0]] + ofArea[t[1]] + ofArea[t[2]];
+        forAll(t, n)
+        {
+            gradient[t[n]] += k*g[n];
+        }
+    }
+    if (tangent)
+    {
+        addTangent(x, M, A, *tangent);
+    }
+    return 2*stiffness_*sum(A*sqr(d));
+}
+
+
+void Foam::membraneModels::helfrich::addTangent
+(
+    const pointField& x,
+    const scalarField& M,
+    const scalarField& A,
+    membraneTangent& tangent
+) const
+{
+    // The gradients of what is squared, 2 sqrt(kappa A) d, by the nodes around
+    List<vectorField> g(ring_.size());
+    forAll(ring_, i)
+    {
+        g[i] = vectorField(ring_[i].size(), Zero);
+    }
+    const auto addTo = [&](const label i, const label node, const vector& v)
+    {
+        g[i][ring_[i].find(node)] += v;
+    };
+
+    const scalarField ofM(2*Foam::sqrt(stiffness_/A));
+    const scalarField ofA(-0.25*ofM*(2*M/A + curvature_));
+    for (const closedSurface::hinge& h : surface_.hinges())
+    {
+        const fold f(h, x);
+        const label nodes[] = {h.i, h.j, h.left, h.right};
+        for (label k = 0; k < 4; ++k)
+        {
+            const vector v(0.25*f.ofProduct(k));
+            addTo(h.i, nodes[k], ofM[h.i]*v);
+            addTo(h.j, nodes[k], ofM[h.j]*v);
+        }
+    }
+    for (const triFace& t : surface_.triangles())
+    {
+        const FixedList<vector, 3> ofTriangle(areaGradient(t, x));
+        for (const label i : t)
+        {
+            forAll(t, n)
+            {
+                addTo(i, t[n], ofA[i]/3*ofTriangle[n]);
+            }
+        }
+    }
+
+    forAll(ring_, i)
+    {
+        const auto v = membraneTangent::asVector(g[i]);
+        tangent.addDense
+        (
+            ring_[i], ring_[i].size(), Eigen::MatrixXd(v*v.transpose())
+        );
+    }
+}

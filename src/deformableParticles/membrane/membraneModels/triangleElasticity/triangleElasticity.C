@@ -1,0 +1,160 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "triangleElasticity.H"
+#include <Eigen/Eigenvalues>
+
+namespace
+{
+
+using namespace Foam;
+
+typedef Eigen::Matrix<double, 6, 1> vector6;
+typedef Eigen::Matrix<double, 6, 6> matrix6;
+
+Eigen::Vector3d toEigen(const vector& v)
+{
+    return Eigen::Vector3d(v.x(), v.y(), v.z());
+}
+
+vector toFoam(const Eigen::Vector3d& v)
+{
+    return vector(v.x(), v.y(), v.z());
+}
+
+}
+
+
+Foam::triangleElasticity::triangleElasticity
+(
+    const closedSurface& surface,
+    const pointField& x0
+)
+:
+    surface_(surface),
+    rest_(surface.triangles().size())
+{
+    forAll(rest_, n)
+    {
+        const triFace& t = surface.triangles()[n];
+        const vector a(x0[t[1]] - x0[t[0]]);
+        const vector b(x0[t[2]] - x0[t[0]]);
+        const scalar q = magSqr(a ^ b);
+        rest_[n] =
+        {
+            (b & b)/q, -(a & b)/q, (a & a)/q, 0.5*Foam::sqrt(q)
+        };
+    }
+}
+
+
+Eigen::Matrix<double, 6, 6> Foam::triangleElasticity::areaHessian
+(
+    const Eigen::Vector3d& a,
+    const Eigen::Vector3d& b
+)
+{
+    const Eigen::Matrix3d one(Eigen::Matrix3d::Identity());
+    matrix6 H;
+    H.block<3, 3>(0, 0) = 2*(b.dot(b)*one - b*b.transpose());
+    H.block<3, 3>(3, 3) = 2*(a.dot(a)*one - a*a.transpose());
+    H.block<3, 3>(0, 3) =
+        2*(2*a*b.transpose() - b*a.transpose() - a.dot(b)*one);
+    H.block<3, 3>(3, 0) = H.block<3, 3>(0, 3).transpose();
+    return H;
+}
+
+
+Eigen::Matrix<double, 6, 6> Foam::triangleElasticity::positive
+(
+    const Eigen::Matrix<double, 6, 6>& H
+)
+{
+    const Eigen::SelfAdjointEigenSolver<matrix6> eigen(H);
+    if (eigen.eigenvalues()[0] >= 0)
+    {
+        return H;
+    }
+    return
+        eigen.eigenvectors()*eigen.eigenvalues().cwiseMax(0).asDiagonal()
+       *eigen.eigenvectors().transpose();
+}
+
+
+void Foam::triangleElasticity::addEdges
+(
+    const triFace& t,
+    const Eigen::Matrix<double, 6, 6>& H,
+    membraneTangent& tangent
+)
+{
+    // The edges are the differences of the nodes 1 and 2 from node 0
+    Eigen::Matrix<double, 9, 9> full;
+    full.block<6, 6>(3, 3) = H;
+    full.block<6, 3>(3, 0) = -H.leftCols<3>() - H.rightCols<3>();
+    full.block<3, 6>(0, 3) = full.block<6, 3>(3, 0).transpose();
+    full.block<3, 3>(0, 0) =
+        -full.block<3, 3>(0, 3) - full.block<3, 3>(0, 6);
+    tangent.addDense(t, 3, full);
+}
+
+
+Foam::scalar Foam::triangleElasticity::add
+(
+    const pointField& x,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    scalar energy = 0;
+    forAll(rest_, n)
+    {
+        const triFace& t = surface_.triangles()[n];
+        const rest& r = rest_[n];
+        const Eigen::Vector3d a(toEigen(x[t[1]] - x[t[0]]));
+        const Eigen::Vector3d b(toEigen(x[t[2]] - x[t[0]]));
+        const scalar aa = a.dot(a);
+        const scalar ab = a.dot(b);
+        const scalar bb = b.dot(b);
+        const scalar q0 = 4*sqr(r.area);
+
+        const response w
+        (
+            law
+            (
+                r.aa*aa + 2*r.ab*ab + r.bb*bb - 2,
+                (aa*bb - sqr(ab))/q0 - 1
+            )
+        );
+        energy += r.area*w.W;
+
+        vector6 g1, g2;
+        g1 << 2*(r.aa*a + r.ab*b), 2*(r.ab*a + r.bb*b);
+        g2 << 2/q0*(bb*a - ab*b), 2/q0*(aa*b - ab*a);
+
+        const vector6 g(r.area*(w.W1*g1 + w.W2*g2));
+        gradient[t[1]] += toFoam(g.head<3>());
+        gradient[t[2]] += toFoam(g.tail<3>());
+        gradient[t[0]] -= toFoam(g.head<3>() + g.tail<3>());
+
+        if (tangent)
+        {
+            const Eigen::Matrix3d one(Eigen::Matrix3d::Identity());
+            matrix6 H1;
+            H1 <<
+                2*r.aa*one, 2*r.ab*one,
+                2*r.ab*one, 2*r.bb*one;
+            matrix6 H
+            (
+                w.W1*H1 + w.W2/q0*areaHessian(a, b)
+              + w.W11*g1*g1.transpose() + w.W22*g2*g2.transpose()
+            );
+            H += w.W12*(g1*g2.transpose() + g2*g1.transpose());
+            H *= r.area;
+            addEdges(t, tangent->exact() ? H : positive(H), *tangent);
+        }
+    }
+    return energy;
+}

@@ -1,0 +1,258 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "membraneStep.H"
+
+namespace
+{
+
+using namespace Foam;
+
+vectorField toField(const Eigen::VectorXd& v)
+{
+    vectorField result(v.size()/3);
+    forAll(result, i)
+    {
+        result[i] = vector(v[3*i], v[3*i + 1], v[3*i + 2]);
+    }
+    return result;
+}
+
+}
+
+
+Foam::membraneStep::membraneStep(const clumpType& type, const dictionary& dict)
+:
+    mechanics_(type, dict),
+    tangent_(type.surface(), mechanics_.rings())
+{}
+
+
+void Foam::membraneStep::meet(clumpParcel& p, const pointField& x) const
+{
+    nodeFlow& flow = p.step().nodes;
+    flow.areaVectors = surface().areaVectors(x);
+    flow.areas = surface().nodeAreas(x);
+}
+
+
+void Foam::membraneStep::impose(clumpParcel& p, const scalar dt) const
+{
+    clumpStep& step = p.step();
+    const vectorField dx(dt*step.imposedU);
+    const vectorField F
+    (
+        mechanics_.forces(p.state().x + dx)
+      + step.forces.f - (step.forces.k & dx)
+    );
+    step.nodes.force = step.nodes.withoutFlux(F);
+    p.fluidForces() = -step.nodes.force;
+}
+
+
+Foam::vectorField Foam::membraneStep::weight
+(
+    const clumpParcel& p,
+    const scalar rho,
+    const vector& g
+) const
+{
+    const clumpType& type = mechanics_.type();
+    const pointField& x = p.state().x;
+    const scalar excess = type.mass()/type.volume() - rho;
+    return
+        type.nominalVolume()/type.volume()*excess
+       *(g & (x - p.state().centre(type)))*surface().areaVectors(x);
+}
+
+
+Foam::scalar Foam::membraneStep::value
+(
+    const problem& step,
+    const vectorField& y,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    const vectorField strayed(y - step.target);
+    const vectorField moved(y - step.x);
+    const vectorField ofFluid(step.K & strayed);
+    const vectorField ofTethers(step.ext.k & moved);
+
+    gradient = ofFluid + ofTethers - step.ext.f;
+    if (tangent)
+    {
+        const symmTensorField diagonal(step.K + step.ext.k);
+        forAll(diagonal, i)
+        {
+            const symmTensor& d = diagonal[i];
+            Eigen::Matrix3d block;
+            block <<
+                d.xx(), d.xy(), d.xz(),
+                d.xy(), d.yy(), d.yz(),
+                d.xz(), d.yz(), d.zz();
+            tangent->add(i, i, block);
+        }
+    }
+    return
+        mechanics_.add(y, gradient, tangent)
+      + sum(0.5*(ofFluid & strayed) + 0.5*(ofTethers & moved) - (step.ext.f & moved));
+}
+
+
+bool Foam::membraneStep::factorise
+(
+    const problem& step,
+    const vectorField& y,
+    const scalar p,
+    vectorField& gradient,
+    scalar& value0
+) const
+{
+    for (const bool exact : {true, false})
+    {
+        tangent_.clear(exact);
+        value0 = value(step, y, gradient, &tangent_);
+        if (exact)
+        {
+            tangent_.addPressure(surface(), y, p);
+        }
+        if (tangent_.factorise())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::scalar Foam::membraneStep::lineSearch
+(
+    const problem& step,
+    const vectorField& dy,
+    const scalar merit,
+    const scalar slope,
+    const scalar penalty,
+    vectorField& y
+) const
+{
+    const scalar V0 = mechanics_.type().volume();
+
+    // Near the minimum the difference of two values is round-off
+    const bool near = max(mag(dy)) < 1e-6*mechanics_.type().halfWidth();
+    for (scalar part = 1; part > 1e-6; part *= 0.5)
+    {
+        vectorField unused(y.size());
+        const vectorField tried(y + part*dy);
+        const scalar there =
+            value(step, tried, unused)
+          + penalty*mag(surface().volume(tried) - V0);
+        if (near || there <= merit + 1e-4*part*slope)
+        {
+            y = tried;
+            return part;
+        }
+    }
+    return 0;
+}
+
+
+void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
+{
+    constexpr label most = 100;
+    const clumpType& type = mechanics_.type();
+    scalar p = 0;
+    scalar change = GREAT;
+
+    for (label n = 0; n < most && change > 1e-10; ++n)
+    {
+        vectorField gradient(y.size());
+        scalar value0 = 0;
+        if (!factorise(step, y, p, gradient, value0))
+        {
+            break;
+        }
+        const vectorField normals(surface().areaVectors(y));
+        const auto g = membraneTangent::asVector(normals);
+        const scalar excess = surface().volume(y) - type.volume();
+
+        // With the pressure that brings the volume back
+        const Eigen::VectorXd free
+        (
+            -tangent_.solve(membraneTangent::asVector(gradient))
+        );
+        const Eigen::VectorXd ofPressure(tangent_.solve(g));
+        p = -(excess + g.dot(free))/g.dot(ofPressure);
+        const vectorField dy(toField(free + p*ofPressure));
+
+        const scalar penalty = 2*mag(p);
+        const scalar part = lineSearch
+        (
+            step, dy,
+            value0 + penalty*mag(excess),
+            sum(gradient & dy) - penalty*mag(excess),
+            penalty, y
+        );
+        change = max(mag(dy))/type.halfWidth();
+        if (part == 0)
+        {
+            break;
+        }
+    }
+    if (change > 1e-6)
+    {
+        FatalErrorInFunction
+            << "The step of a membrane of type " << type.name()
+            << " has no solution: the last iteration moved a node by " << change
+            << " half widths. Reduce deltaT, or refine the surface where it folds."
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::membraneStep::advance
+(
+    clumpParcel& p,
+    const scalar mu,
+    const scalar dt,
+    const scalar dt0
+) const
+{
+    const clumpType& type = mechanics_.type();
+    const nodeFlow& flow = p.step().nodes;
+    const clumpState& s = p.state();
+    clumpState& end = p.step().end;
+
+    // One that starts from rest has no last step
+    const bool starts = max(mag(s.u)) == 0;
+    const scalar q = dt/dt0;
+    const scalar ofLast = starts ? 0 : q/(1 + 2*q);
+    const scalar ofFluid = 1 - ofLast;
+
+    const scalarField zeta(8*mu*flow.areas/type.halfWidth());
+    const scalarField along(1/(1/zeta + flow.smoothing/(2*mu*flow.areas)));
+    const vectorField n(flow.areaVectors/mag(flow.areaVectors));
+    const problem step
+    {
+        s.x,
+        s.x + dt*(ofLast*s.u + ofFluid*(flow.u - flow.force/zeta)),
+        (along*symmTensor(I) + (zeta - along)*sqr(n))/(ofFluid*dt),
+        p.step().forces
+    };
+
+    // From the end of the last outer corrector, or as in the last step, unless the start
+    // of the step is better
+    vectorField y(s.x + dt*p.step().imposedU);
+    vectorField unused(y.size());
+    if (!(value(step, y, unused) < value(step, s.x, unused)))
+    {
+        y = s.x;
+    }
+    minimise(step, y);
+
+    end = s;
+    end.x = y;
+    end.u = (y - s.x)/dt;
+}

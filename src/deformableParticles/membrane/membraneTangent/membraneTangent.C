@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "membraneTangent.H"
+#include <Eigen/LU>
+#include <algorithm>
+#include <set>
+
+Foam::membraneTangent::membraneTangent
+(
+    const closedSurface& surface,
+    const label rings
+)
+:
+    lower_(3*surface.nNodes(), 3*surface.nNodes()),
+    later_(surface.nNodes())
+{
+    const label n = surface.nNodes();
+    labelListList around(n);
+    for (const closedSurface::hinge& h : surface.hinges())
+    {
+        around[h.i].append(h.j);
+        around[h.j].append(h.i);
+    }
+
+    std::vector<int> counts(3*n);
+    for (label i = 0; i < n; ++i)
+    {
+        std::set<label> nodes({i});
+        for (const label j : around[i])
+        {
+            nodes.insert(j);
+            if (rings > 1)
+            {
+                nodes.insert(around[j].begin(), around[j].end());
+            }
+        }
+        later_[i] = labelList(nodes.lower_bound(i), nodes.end());
+        for (label c = 0; c < 3; ++c)
+        {
+            counts[3*i + c] = 3*later_[i].size() - c;
+        }
+    }
+
+    lower_.reserve(counts);
+    for (label j = 0; j < n; ++j)
+    {
+        for (label c = 0; c < 3; ++c)
+        {
+            for (const label i : later_[j])
+            {
+                for (label r = i == j ? c : 0; r < 3; ++r)
+                {
+                    lower_.insert(3*i + r, 3*j + c) = 0;
+                }
+            }
+        }
+    }
+    lower_.makeCompressed();
+    factors_.analyzePattern(lower_);
+}
+
+
+void Foam::membraneTangent::clear(const bool exact)
+{
+    exact_ = exact;
+    std::fill(lower_.valuePtr(), lower_.valuePtr() + lower_.nonZeros(), 0.0);
+    weights_.clear();
+    vectors_.clear();
+    solved_.clear();
+}
+
+
+void Foam::membraneTangent::add
+(
+    const label i,
+    const label j,
+    const Eigen::Matrix3d& block
+)
+{
+    // The columns of a node begin with its diagonal block
+    const labelList& nodes = later_[j];
+    const label place =
+        std::lower_bound(nodes.begin(), nodes.end(), i) - nodes.begin();
+    for (label c = 0; c < 3; ++c)
+    {
+        double* column = lower_.valuePtr() + lower_.outerIndexPtr()[3*j + c] - c;
+        for (label r = place ? 0 : c; r < 3; ++r)
+        {
+            column[3*place + r] += block(r, c);
+        }
+    }
+}
+
+
+void Foam::membraneTangent::addPressure
+(
+    const closedSurface& surface,
+    const UList<vector>& x,
+    const scalar p
+)
+{
+    for (const triFace& t : surface.triangles())
+    {
+        forAll(t, k)
+        {
+            // A sixth of the triple product of the corners: d_i.(d_j x r)
+            const label i = t[k];
+            const label j = t[t.fcIndex(k)];
+            const vector r(-p/6*(x[t[t.rcIndex(k)]] - x[0]));
+            Eigen::Matrix3d block;
+            block <<
+                0, r.z(), -r.y(),
+                -r.z(), 0, r.x(),
+                r.y(), -r.x(), 0;
+            if (i > j)
+            {
+                add(i, j, block);
+            }
+            else
+            {
+                add(j, i, block.transpose());
+            }
+        }
+    }
+}
+
+
+void Foam::membraneTangent::addProduct(const scalar k, const vectorField& v)
+{
+    weights_.push_back(k);
+    vectors_.push_back(asVector(v));
+}
+
+
+bool Foam::membraneTangent::factorise()
+{
+    factors_.factorize(lower_);
+    if
+    (
+        factors_.info() != Eigen::Success
+     || !(factors_.vectorD().minCoeff() > 0)
+    )
+    {
+        return false;
+    }
+    solved_.clear();
+    for (const Eigen::VectorXd& v : vectors_)
+    {
+        solved_.push_back(factors_.solve(v));
+    }
+    return true;
+}
+
+
+Eigen::VectorXd Foam::membraneTangent::solve(const Eigen::VectorXd& r) const
+{
+    Eigen::VectorXd x(factors_.solve(r));
+    const label n = vectors_.size();
+    if (n)
+    {
+        Eigen::MatrixXd small(n, n);
+        Eigen::VectorXd right(n);
+        for (label a = 0; a < n; ++a)
+        {
+            right[a] = weights_[a]*vectors_[a].dot(x);
+            for (label b = 0; b < n; ++b)
+            {
+                small(a, b) = weights_[a]*vectors_[a].dot(solved_[b]);
+            }
+            small(a, a) += 1;
+        }
+        const Eigen::VectorXd y(small.partialPivLu().solve(right));
+        for (label a = 0; a < n; ++a)
+        {
+            x -= y[a]*solved_[a];
+        }
+    }
+    return x;
+}
+
+
+Eigen::VectorXd Foam::membraneTangent::times(const Eigen::VectorXd& v) const
+{
+    Eigen::VectorXd result(lower_.selfadjointView<Eigen::Lower>()*v);
+    for (size_t m = 0; m < vectors_.size(); ++m)
+    {
+        result += weights_[m]*vectors_[m].dot(v)*vectors_[m];
+    }
+    return result;
+}

@@ -1,0 +1,20 @@
+"""Rows of data.csv of a run: every 0.2 shear times, as the reference has them."""
+import re
+import sys
+from math import degrees, pi
+
+from clumpTables import table
+
+case, cells, step, subdivisions, kernel, shear, R, seconds = sys.argv[1:]
+with open(f"{case}/log.rbcIbFoam") as file:
+    correctors = [int(n) for n in re.findall(r"^Outer correctors: (\d+)", file.read(), re.M)]
+mean = sum(correctors)/max(len(correctors), 1)
+
+radius = float(R)
+for row in table(case, "clumpShape"):
+    t = row["time"]*float(shear)
+    if abs(t/0.2 - round(t/0.2)) < 1e-6:
+        print(f"{cells},{step},{subdivisions},{kernel},{round(t, 6):g},"
+              f"{row['TaylorDeformation']:.5f},{degrees(row['inclination']):.3f},"
+              f"{row['volume']/(4/3*pi*radius**3):.10f},{row['area']/(4*pi*radius**2):.5f},"
+              f"{mean:.2f},{seconds}")

@@ -114,49 +114,55 @@ Foam::string Foam::caseTemplate::unitHint(const scalar diameter) const
 }
 
 
+Foam::scalar Foam::caseTemplate::bestResolution
+(
+    const clumpType& type,
+    const scalarField& distance
+) const
+{
+    const scalar sphere = 2*min(type.radii());
+    const scalar room = 1.02*type.reach();
+    scalar best = 0;
+    forAll(distance, celli)
+    {
+        if (distance[celli] > room)
+        {
+            best = max(best, sphere/width(celli));
+        }
+    }
+    if (max(distance) <= room)
+    {
+        FatalErrorInFunction
+            << unitHint(2*type.reach()).c_str() << nl
+            << "    No place is farther than " << rounded(max(distance)).c_str()
+            << " m from walls and open patches: the clump does not fit."
+            << exit(FatalError);
+    }
+    if (best < leastResolution)
+    {
+        FatalErrorInFunction
+            << unitHint(2*type.reach()).c_str() << nl << "    Its spheres of "
+            << rounded(sphere).c_str() << " m have at most "
+            << rounded(best).c_str() << " mesh cells per diameter; at least "
+            << leastResolution << " are needed, " << goodResolution
+            << " give the drag within a few per cent: make the mesh cells "
+            << rounded(goodResolution/best).c_str() << " times smaller."
+            << exit(FatalError);
+    }
+    return best;
+}
+
+
 void Foam::caseTemplate::choosePosition(const clumpType& type)
 {
     const scalarField distance(surfaceDistance());
     const scalar sphere = 2*min(type.radii());
     const point middle(mesh_.bounds().midpoint());
 
-    scalar resolution = 0;
-    scalar clearance = 0;
-    scalarField perDiameter(mesh_.nCells());
-    forAll(distance, celli)
-    {
-        perDiameter[celli] = sphere/width(celli);
-        clearance = max(clearance, distance[celli]);
-        if (distance[celli] > 1.02*type.reach())
-        {
-            resolution = max(resolution, perDiameter[celli]);
-        }
-    }
-    if (clearance <= 1.02*type.reach())
-    {
-        FatalErrorInFunction
-            << unitHint(2*type.reach()).c_str() << nl
-            << "    No place is farther than "
-            << rounded(clearance).c_str() << " m from walls and open patches: the clump"
-            << " does not fit."
-            << exit(FatalError);
-    }
-    if (resolution < leastResolution)
-    {
-        FatalErrorInFunction
-            << unitHint(2*type.reach()).c_str() << nl << "    Its spheres of "
-            << rounded(sphere).c_str() << " m have at most "
-            << rounded(resolution).c_str() << " mesh cells per diameter; at least "
-            << leastResolution << " are needed, " << goodResolution
-            << " give the drag within a few per cent: make the mesh cells "
-            << rounded(goodResolution/resolution).c_str() << " times smaller."
-            << exit(FatalError);
-    }
-
     // Resolved nearly as well as possible, far from the surfaces, in the middle
     const scalar wanted = max
     (
-        leastResolution, min(0.75*resolution, goodResolution)
+        leastResolution, min(0.75*bestResolution(type, distance), goodResolution)
     );
     scalar farthest = 0;
     scalar nearest = GREAT;
@@ -166,7 +172,7 @@ void Foam::caseTemplate::choosePosition(const clumpType& type)
         const scalar off = mag(mesh_.C()[celli] - middle);
         if
         (
-            perDiameter[celli] >= wanted
+            sphere/width(celli) >= wanted
          && (
                 distance[celli] > 1.001*farthest
              || (distance[celli] > 0.999*farthest && off < nearest)
@@ -179,14 +185,7 @@ void Foam::caseTemplate::choosePosition(const clumpType& type)
         }
     }
     position_ = mesh_.C()[best];
-    resolution_ = perDiameter[best];
-    if (farthest <= 1.02*type.reach())
-    {
-        FatalErrorInFunction
-            << unitHint(2*type.reach()).c_str() << nl << "    Where the mesh resolves"
-            << " the spheres, walls and open patches are nearer than the clump is"
-            << " wide." << exit(FatalError);
-    }
+    resolution_ = sphere/width(best);
 }
 
 

@@ -81,16 +81,10 @@ dictionary usualContact(const fvMesh& mesh, const dictionary& dict)
     scalar density = 0;
     for (const entry& e : dict.subOrEmptyDict("types"))
     {
-        const dictionary* type = e.isDict() ? &e.dict() : nullptr;
-        const entry* given =
-            type ? type->findEntry("density", keyType::LITERAL) : nullptr;
-        scalar value = 0;
-        if (given && given->isStream() && given->stream().size() == 1)
+        if (e.isDict())
         {
-            const token& t = given->stream()[0];
-            value = t.isNumber() ? t.number() : 0;
+            density = max(density, e.dict().getOrDefault<scalar>("density", 0));
         }
-        density = max(density, value);
     }
     const scalar weight =
         density*(cmptMag(gravityOf(mesh)) & mesh.bounds().span());

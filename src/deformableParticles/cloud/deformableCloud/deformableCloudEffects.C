@@ -30,6 +30,16 @@ void Foam::deformableCloud::refuseIdleEffects() const
                 << idle.c_str() << exit(FatalIOError);
         }
     }
+    for (const char* entry : {"contactModel", "wallContactModel"})
+    {
+        const dictionary& law = getDict(dict_, entry);
+        if (law.getOrDefault<scalar>("friction", 0) > 0 && !integrator_->implicit())
+        {
+            FatalIOErrorInFunction(law)
+                << "Entry 'friction' needs an implicit integrator. Valid here:"
+                << " implicitEuler" << exit(FatalIOError);
+        }
+    }
     if
     (
         reason.empty() && !effects_.switchedOff("lubrication")

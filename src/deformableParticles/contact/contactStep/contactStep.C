@@ -25,7 +25,8 @@ Foam::contactStep::contactStep
     span_(0),
     dt_(0),
     slack_(0),
-    range_(0)
+    range_(0),
+    rubs_(contacts.law().friction() > 0 || walls.law().friction() > 0)
 {
     forget();
 }
@@ -46,10 +47,12 @@ void Foam::contactStep::addMember(const label a)
     (
         {
             &bonds_[p.typeId()], &p.step().forces,
-            &p.state(), &p.step().end, p.step().guessed, vectorField()
+            &p.state(), &p.step().end, p.step().guessed, vectorField(),
+            vectorField()
         }
     );
     forces_.append(vectorField(type(a).size(), Zero));
+    torques_.append(vectorField(type(a).size(), Zero));
     energies_.append(0);
 }
 
@@ -138,6 +141,11 @@ void Foam::contactStep::addReceived()
 {
     forAll(members_, m)
     {
-        clumps_[clumpOf_[m]].step().forces.f += members_[m].received;
+        externalForces& forces = clumps_[clumpOf_[m]].step().forces;
+        forces.f += members_[m].received;
+        if (members_[m].receivedTorques.size())
+        {
+            forces.t += members_[m].receivedTorques;
+        }
     }
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactStep.H"
+#include "bondFrame.H"
 
 namespace
 {
@@ -12,7 +13,7 @@ using namespace Foam;
 
 vector of(const Eigen::VectorXd& v, const label i)
 {
-    return vector(v[6*i], v[6*i + 1], v[6*i + 2]);
+    return vector(v[i], v[i + 1], v[i + 2]);
 }
 
 }
@@ -22,6 +23,11 @@ void Foam::contactStep::begin(const scalar dt)
 {
     dt_ = dt;
     move(true);
+    if (rubs_)
+    {
+        evaluate();
+        setPressed();
+    }
 }
 
 
@@ -58,9 +64,23 @@ void Foam::contactStep::move(const bool all)
         if (all || isMember_[a])
         {
             moved_[a] = p.step().end.x - p.state().x;
+            if (rubs_)
+            {
+                forAll(turned_[a], i)
+                {
+                    turned_[a][i] = rotationVector
+                    (
+                        p.step().end.q[i]*conjugate(p.state().q[i])
+                    );
+                }
+            }
         }
     }
     remote_.exchange(moved_);
+    if (rubs_)
+    {
+        remote_.exchange(turned_);
+    }
 }
 
 
@@ -113,6 +133,7 @@ void Foam::contactStep::evaluate(touch& t) const
         t.w.force *= t.share;
         t.w.stiffness *= t.share*t.ratio;
     }
+    t.pressing = t.w.force;
     if (t.reaches && max(t.d, t.first) > -t.range)
     {
         const contactModel::increment w = gaps_.step
@@ -123,26 +144,24 @@ void Foam::contactStep::evaluate(touch& t) const
         t.w.force += t.gapShare*w.force;
         t.w.stiffness += t.gapShare*w.stiffness;
     }
+    evaluateFriction(t);
 }
 
 
-void Foam::contactStep::sumForces
-(
-    const label m,
-    vectorField& f,
-    scalar& energy
-) const
+void Foam::contactStep::sumForces(const label m)
 {
     const label a = clumpOf_[m];
-    f = Zero;
-    energy = 0;
+    forces_[m] = Zero;
+    torques_[m] = Zero;
+    energies_[m] = 0;
     for (label k = begins_[a]; k < begins_[a + 1]; ++k)
     {
         const touch& t = touches_[k];
         // Two members have half of the energy each
         const bool both = t.b >= 0 && isMember_[t.slot];
-        energy += (both ? 0.5 : 1)*t.w.energy;
-        f[t.i] += t.w.force*t.n;
+        energies_[m] += (both ? 0.5 : 1)*(t.w.energy + t.slipEnergy);
+        forces_[m][t.i] += t.w.force*t.n + t.slipForce;
+        torques_[m][t.i] += t.arm*(t.slipForce ^ t.slipNormal);
     }
 }
 
@@ -157,7 +176,7 @@ void Foam::contactStep::evaluate()
         {
             evaluate(touches_[k]);
         }
-        sumForces(m, forces_[m], energies_[m]);
+        sumForces(m);
     }
 }
 
@@ -169,13 +188,17 @@ Foam::symmTensorField Foam::contactStep::stiffness(const label m) const
     for (label n = begins_[a]; n < begins_[a + 1]; ++n)
     {
         const touch& t = touches_[n];
-        k[t.i] += t.w.stiffness*sqr(t.n);
+        k[t.i] += t.w.stiffness*sqr(t.n) + slipStiffness(t);
     }
     return k;
 }
 
 
-Foam::List<Foam::vectorField> Foam::contactStep::ofSlots(const motions& p)
+Foam::List<Foam::vectorField> Foam::contactStep::ofSlots
+(
+    const motions& p,
+    const label offset
+)
 {
     List<vectorField> moves(moved_.size());
     for (label a = 0; a < clumps_.size(); ++a)
@@ -188,7 +211,7 @@ Foam::List<Foam::vectorField> Foam::contactStep::ofSlots(const motions& p)
         vectorField& move = moves[clumpOf_[m]];
         forAll(move, i)
         {
-            move[i] = of(p[m], i);
+            move[i] = of(p[m], 6*i + offset);
         }
     }
     remote_.exchange(moves);
@@ -220,6 +243,10 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
             );
             Ap[m].segment<3>(6*t.i) -= Eigen::Vector3d(Cp.x(), Cp.y(), Cp.z());
         }
+    }
+    if (rubs_)
+    {
+        coupleFriction(p, Ap);
     }
 }
 

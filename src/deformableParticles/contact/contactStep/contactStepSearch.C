@@ -12,6 +12,7 @@ void Foam::contactStep::clearMembers()
     members_.clear();
     clumpOf_.clear();
     forces_.clear();
+    torques_.clear();
     energies_.clear();
     isMember_ = Zero;
 }
@@ -204,6 +205,7 @@ void Foam::contactStep::setSlots()
         moved_[a] = vectorField(type(a).size(), Zero);
     }
     remote_.exchange(moved_);
+    turned_ = moved_;
 }
 
 

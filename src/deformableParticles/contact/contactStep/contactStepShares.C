@@ -163,6 +163,8 @@ bool Foam::contactStep::redistribute()
 
     distribute(false);
     evaluate();
+    setPressed();
+    evaluate();
     bool changed = false;
     forAll(forces_, m)
     {

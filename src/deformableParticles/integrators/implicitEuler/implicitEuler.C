@@ -118,6 +118,11 @@ Foam::label Foam::integrators::implicitEuler::advance
         member.guessed = true;
         externalForces ext(*member.ext);
         ext.f += member.received;
+        if (group.turns())
+        {
+            member.receivedTorques = group.torques(m);
+            ext.t += member.receivedTorques;
+        }
         setVelocities
         (
             member.bonds->type(), ext, dt, *member.start, *member.end

@@ -105,6 +105,10 @@ Foam::scalar Foam::incrementalPotential::value
         {
             vector g(kx - ext_.f[i] - F_[i]);
             vector h(-ext_.t[i]);
+            if (group_ && group_->turns())
+            {
+                h -= group_->torques(member_)[i];
+            }
             if (moving())
             {
                 g += m*du + z*duR;
@@ -159,6 +163,10 @@ void Foam::incrementalPotential::addInteraction
         forAll(stiffness, i)
         {
             K->diagonal(i).topLeftCorner<3, 3>() += matrix(stiffness[i]);
+        }
+        if (group_->turns())
+        {
+            group_->addRotations(member_, *K);
         }
     }
 }

@@ -68,12 +68,16 @@ Foam::scalar Foam::contactModels::hertz::restitution(const scalar b)
 Foam::contactModels::hertz::hertz(const dictionary& dict)
 :
     modulus_(readModulus(dict)),
+    friction_(getBetweenOrDefault(dict, "friction", 0, 0, 10)),
     damping_(0)
 {
     checkEntries
     (
         dict,
-        {"type", "reducedModulus", "allowedOverlap", "stress", "restitution"}
+        {
+            "type", "reducedModulus", "allowedOverlap", "stress", "restitution",
+            "friction"
+        }
     );
 
     const scalar e = getBetween(dict, "restitution", 0.01, 1);

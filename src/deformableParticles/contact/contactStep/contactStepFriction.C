@@ -1,0 +1,171 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "contactStep.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- The matrix of n x
+Eigen::Matrix3d crossing(const vector& n)
+{
+    Eigen::Matrix3d result;
+    result <<
+        0, -n.z(), n.y(),
+        n.z(), 0, -n.x(),
+        -n.y(), n.x(), 0;
+    return result;
+}
+
+
+Eigen::Matrix3d matrix(const symmTensor& k)
+{
+    Eigen::Matrix3d result;
+    result <<
+        k.xx(), k.xy(), k.xz(),
+        k.xy(), k.yy(), k.yz(),
+        k.xz(), k.yz(), k.zz();
+    return result;
+}
+
+
+Eigen::Vector3d column(const vector& v)
+{
+    return Eigen::Vector3d(v.x(), v.y(), v.z());
+}
+
+}
+
+
+void Foam::contactStep::setPressed(touch& t) const
+{
+    t.pressed = t.pressing;
+    t.slipNormal = t.n;
+    t.slipLength =
+        1e-3*law(t).friction()*t.pressed*sqr(dt_)/max(t.m, VSMALL);
+
+    // The place of contact is in the middle of the overlap, at the wall in its plane
+    const scalar radius = type(t.a).radii()[t.i];
+    if (t.b < 0)
+    {
+        t.arm = radius - t.d;
+        t.otherArm = 0;
+    }
+    else
+    {
+        const scalar distance = t.radii - t.d;
+        t.arm = radius*distance/t.radii;
+        t.otherArm = distance - t.arm;
+    }
+}
+
+
+void Foam::contactStep::setPressed()
+{
+    if (!rubs_)
+    {
+        return;
+    }
+    for (const label a : clumpOf_)
+    {
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            setPressed(touches_[k]);
+        }
+    }
+}
+
+
+Foam::vector Foam::contactStep::slip(const touch& t) const
+{
+    const vector& n = t.slipNormal;
+    const vector dx(displacement(t));
+    vector turned(t.arm*turned_[t.a][t.i]);
+    if (t.b >= 0)
+    {
+        turned += t.otherArm*turned_[t.slot][t.j];
+    }
+    return dx - (n & dx)*n + (n ^ turned);
+}
+
+
+void Foam::contactStep::evaluateFriction(touch& t) const
+{
+    t.slipForce = Zero;
+    t.slipEnergy = 0;
+    if (rubs_ && t.pressed > 0)
+    {
+        const scalar limit = law(t).friction()*t.pressed;
+        const vector s(slip(t));
+        const scalar root = Foam::sqrt(magSqr(s) + sqr(t.slipLength));
+        t.slipEnergy = limit*(root - t.slipLength);
+        t.slipForce = -limit/max(root, VSMALL)*s;
+    }
+}
+
+
+Foam::symmTensor Foam::contactStep::slipStiffness(const touch& t) const
+{
+    if (!rubs_ || t.pressed <= 0 || t.slipLength <= 0)
+    {
+        return Zero;
+    }
+    const vector s(slip(t));
+    const scalar root2 = magSqr(s) + sqr(t.slipLength);
+    return
+        law(t).friction()*t.pressed/Foam::sqrt(root2)
+       *(symmTensor::I - sqr(t.slipNormal) - sqr(s)/root2);
+}
+
+
+void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
+{
+    const label a = clumpOf_[m];
+    for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+    {
+        const touch& t = touches_[k];
+        if (t.pressed <= 0)
+        {
+            continue;
+        }
+        const Eigen::Matrix3d A(matrix(slipStiffness(t)));
+        const Eigen::Matrix3d N(t.arm*crossing(t.slipNormal));
+        clumpTangent::block& D = K.diagonal(t.i);
+        D.topRightCorner<3, 3>() += A*N;
+        D.bottomLeftCorner<3, 3>() += N.transpose()*A;
+        D.bottomRightCorner<3, 3>() += N.transpose()*A*N;
+    }
+}
+
+
+void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
+{
+    const List<vectorField> moves(ofSlots(p));
+    const List<vectorField> turns(ofSlots(p, 3));
+
+    forAll(members_, m)
+    {
+        const label a = clumpOf_[m];
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            const touch& t = touches_[k];
+            if (t.b < 0 || t.pressed <= 0)
+            {
+                continue;
+            }
+            const vector& n = t.slipNormal;
+            const vector dx(moves[t.slot][t.j]);
+            const vector ofOther
+            (
+                t.otherArm*(n ^ turns[t.slot][t.j]) - dx
+            );
+            const vector f(slipStiffness(t) & ofOther);
+            Ap[m].segment<3>(6*t.i) += column(f);
+            Ap[m].segment<3>(6*t.i + 3) += column(t.arm*(f ^ n));
+        }
+    }
+}

@@ -5,6 +5,7 @@ from results import Results, plt, read, save
 
 # Recorded misses: D at the end, and D where it is farthest from the course
 KNOWN = {
+    (10, 0.05, 3, "threePoint"): (0.29355, 0.29355),
     (10, 0.05, 3, "fourPoint"): (0.25512, 0.25512),
     (16, 0.05, 3, "threePoint"): (0.28255, None),
 }

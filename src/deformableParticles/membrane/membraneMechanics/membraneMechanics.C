@@ -28,7 +28,7 @@ Foam::membraneMechanics::membraneMechanics
     }
     if (models_.empty())
     {
-        FatalIOErrorInFunction(models)
+        FatalIOErrorInFunction(dict)
             << "Entry 'membrane' has no model of what holds the nodes together, for"
             << " example  strain { type neoHookean; shearModulus 5e-6; }"
             << exit(FatalIOError);

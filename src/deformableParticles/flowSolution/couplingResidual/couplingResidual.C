@@ -25,7 +25,7 @@ void Foam::couplingResidual::beginStep()
     start_.clear();
     for (const clumpParcel& p : cloud_)
     {
-        start_.append(meanOf(cloud_.type(p).radii(), p.state().u));
+        start_.append(meanOf(cloud_.type(p).dragRadii(), p.state().u));
     }
 }
 
@@ -56,7 +56,7 @@ Foam::scalar Foam::couplingResidual::power
     const vectorField& w
 ) const
 {
-    const scalarField& r = cloud_.type(p).radii();
+    const scalarField& r = cloud_.type(p).dragRadii();
     const vector mean(meanOf(r, u));
     const scalar slip =
         mag(sum(p.fluidForces()))/(drag_*cloud_.fluidDensity()*sum(r));
@@ -81,7 +81,7 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
     for (const clumpParcel& p : cloud_)
     {
         const vector& start = start_[index++];
-        const scalarField& r = cloud_.type(p).radii();
+        const scalarField& r = cloud_.type(p).dragRadii();
         const clumpStep& step = p.step();
         const vectorField du(step.end.u - step.imposedU);
         const vectorField dw(step.end.w - step.imposedW);

@@ -10,6 +10,7 @@ Description
 
 #include "catch2/catch.hpp"
 #include "testCase.H"
+#include "clump/closedSurfaces.H"
 #include "injection.H"
 #include "openBox.H"
 #include "shape.H"
@@ -103,7 +104,12 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
 {
     REQUIRE(isDir(getEnv("DEFORMABLE_SRC")));
 
+    // The file of fromSurface, in micrometres
+    const fileName surface(getEnv("FOAM_CASE")/"constant"/"triSurface"/"cell.stl");
+    mkDir(surface.path());
+    ellipsoid(vector(3, 1.5, 1)).write(surface);
     run<clumpShapes::shape>("clump/shapes");
+    rmDir(surface.path());
     run<bondModel>("bondMechanics/bondModels");
     run<dampingModel>("bondMechanics/dampingModels");
     run<integrator>("integrators");

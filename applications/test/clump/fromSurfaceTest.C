@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
+#include "clump/closedSurfaces.H"
 #include "testCase.H"
 #include "mathematicalConstants.H"
 #include "OSspecific.H"
@@ -15,65 +16,6 @@ using namespace Foam;
 
 namespace
 {
-
-//- The surface of the cube from -1 to 1, its squares divided into n x n, every point moved
-//  by a function
-template<class Move>
-triSurface cube(const label n, const Move& move)
-{
-    DynamicList<point> points;
-    DynamicList<labelledTri> faces;
-    const auto number = [&](const point& x)
-    {
-        // Squares share the points of their edges
-        forAll(points, k)
-        {
-            if (mag(points[k] - x) < 1e-9)
-            {
-                return k;
-            }
-        }
-        points.append(x);
-        return points.size() - 1;
-    };
-    for (direction axis = 0; axis < 3; ++axis)
-    {
-        for (const scalar side : {-1.0, 1.0})
-        {
-            labelList at((n + 1)*(n + 1));
-            forAll(at, k)
-            {
-                point x;
-                x[axis] = side;
-                x[(axis + 1) % 3] = side*(2.0*(k/(n + 1))/n - 1);
-                x[(axis + 2) % 3] = 2.0*(k % (n + 1))/n - 1;
-                at[k] = number(move(x));
-            }
-            for (label i = 0; i < n; ++i)
-            {
-                for (label j = 0; j < n; ++j)
-                {
-                    const label a = i*(n + 1) + j;
-                    const label b = a + n + 1;
-                    faces.append(labelledTri(at[a], at[b], at[b + 1], 0));
-                    faces.append(labelledTri(at[a], at[b + 1], at[a + 1], 0));
-                }
-            }
-        }
-    }
-    return triSurface(List<labelledTri>(faces), pointField(points));
-}
-
-
-triSurface ellipsoid(const vector& axes)
-{
-    return cube
-    (
-        16,
-        [&](const point& x) { return cmptMultiply(axes, x/mag(x)); }
-    );
-}
-
 
 //- All spheres hang together
 bool connected(const sphereFilling& filling)

@@ -15,9 +15,10 @@
 
 void Foam::incompressibleFlow::check(const dictionary& dict)
 {
+    const dictionary entries(withoutRemoved(dict, {"scaleCorrection"}));
     checkEntries
     (
-        withoutRemoved(dict, {"scaleCorrection"}),
+        entries,
         {
             "consistent", "momentumPredictor", "nOuterCorrectors",
             "carryPressure", "wallMobility", "couplingTolerance", "andersonDepth",

@@ -60,7 +60,7 @@ class Code:
     def read(self):
         """The words in lists of valid entries: checkEntries(dict, {"a", "b"}), base(dict, {"a"})"""
         result = []
-        for words in re.findall(r"\(\s*\w+\s*,\s*\{([^{}]*)\}", self.text):
+        for words in re.findall(r"(?<!withoutRemoved)\(\s*\w+\s*,\s*\{([^{}]*)\}", self.text):
             names = [w.strip() for w in words.split(",")]
             if names and all(re.fullmatch(r'"\w+"', w) for w in names):
                 result += [w[1:-1] for w in names]

@@ -99,67 +99,6 @@ TEST_CASE("rotationalCorrection: nu inside, bounded beside an open patch")
     CHECK(!rotationalCorrection::facesSeveral(wallU, open));
 }
 
-TEST_CASE("rotationalCorrection: scaled, no wave has twice the excess")
-{
-    const fvMesh& mesh = testMesh();
-    const volScalarField nu(field<scalar>("nu", nuValue, "zeroGradient"));
-    const volScalarField p
-    (
-        field<scalar>
-        (
-            "p", dimensionedScalar("", sqr(dimVelocity), 0), "zeroGradient"
-        )
-    );
-    volScalarField e
-    (
-        field<scalar>
-        (
-            "e", dimensionedScalar("", dimless/dimTime, 1), "zeroGradient"
-        )
-    );
-    const dimensionedScalar perFace
-    (
-        "", dimTime, sqr(1e-6)/(6*nuValue.value())
-    );
-
-    // In the interior: a uniform excess as it is, the shortest waves halved
-    const auto factor = [&](const scalar part)
-    {
-        const volScalarField rAU
-        (
-            field<scalar>("rAU", part*perFace, "zeroGradient")
-        );
-        const scalarField f
-        (
-            rotationalCorrection::scaled(e, nu, rAU, p)().primitiveField()
-           /e.primitiveField()
-        );
-        scalar least = GREAT, most = -GREAT;
-        forAll(f, i)
-        {
-            if (mag(mesh.C()[i].y() - 10e-6) < 8e-6)
-            {
-                least = min(least, f[i]);
-                most = max(most, f[i]);
-            }
-        }
-        reduce(least, minOp<scalar>());
-        reduce(most, maxOp<scalar>());
-        CHECK(most - least < 1e-6);
-        return most;
-    };
-    CHECK(factor(1) == Approx(1));
-    CHECK(factor(0.5) == Approx(2));
-    CHECK(factor(0.1) == Approx(4));
-
-    forAll(e, i)
-    {
-        const vector x(mesh.C()[i]/1e-6);
-        e[i] = (label(x.x()) + label(x.y()) + label(x.z())) % 2 ? 1 : -1;
-    }
-    CHECK(factor(1) == Approx(0.5));
-}
-
 TEST_CASE("flowGrowth: power laws pass, exponentials do not", "[serial]")
 {
     const scalar dt = 1e-4;

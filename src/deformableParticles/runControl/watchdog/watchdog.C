@@ -187,7 +187,8 @@ void Foam::watchdog::checkCoupling
 )
 {
     const word key("couplingResidual");
-    const bool far = tolerance > 0 && residual > 5*tolerance;
+    const bool far =
+        tolerance > 0 && residual > max(5*tolerance, scalar(0.1));
     const scalar before = state_.getOrDefault<scalar>(key, GREAT);
 
     halve(halves_ || (far && residual < 0.9*before));

@@ -18,7 +18,7 @@ using namespace Foam;
 namespace
 {
 
-dictionary make(const string& shape, const line& l)
+dictionary make(const string& shape, const lineProperties& l)
 {
     OStringStream os;
     os.precision(17);
@@ -38,7 +38,7 @@ Foam::dictionary Foam::chainOf
 (
     const label n,
     const scalar length,
-    const line& l
+    const lineProperties& l
 )
 {
     OStringStream os;
@@ -52,7 +52,7 @@ Foam::dictionary Foam::ringOf
 (
     const label n,
     const scalar radius,
-    const line& l
+    const lineProperties& l
 )
 {
     OStringStream os;

@@ -89,7 +89,7 @@ void Foam::frequencies()
     for (const label n : {8, 16, 32, 64})
     {
         // A ring of radius 1 with mass 1 per length; thin spheres
-        line l;
+        lineProperties l;
         l.EA = l.GA = 1e4;
         l.GJ = 0.7;
         l.bond = "timoshenko";

@@ -30,7 +30,7 @@ scalar energyOf(const bondedClump& clump, const clumpState& s)
 
 dictionary cell(const string& damping)
 {
-    line l;
+    lineProperties l;
     l.EA = 91.4e-12;
     l.GA = 68.3e-12;    // in series with the bending of a bond
     l.EI = 12.9e-24;

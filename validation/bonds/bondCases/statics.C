@@ -40,7 +40,7 @@ clumpState equilibriumOf
 //  middle under forces P at the tips
 scalar cantilever(const label n, const scalar P, const string& bond)
 {
-    line l;
+    lineProperties l;
     l.EA = l.GA = 1e6;
     l.bond = bond;
     const bondedClump clump("line", chainOf(2*n + 1, 2, l));
@@ -68,7 +68,7 @@ void Foam::statics()
     // Small load: growth of the loaded and shrink of the other diameter
     for (const label n : {8, 12, 16, 20, 24, 32, 64})
     {
-        line l;
+        lineProperties l;
         l.EA = l.GA = 1e6;
         l.bond = "timoshenko";
         const bondedClump clump("line", ringOf(n, 1, l));
@@ -85,7 +85,7 @@ void Foam::statics()
     // End torques: twist
     for (const label n : {8, 16, 32})
     {
-        line l;
+        lineProperties l;
         l.EA = l.GA = 1e6;
         l.GJ = 0.5;
         const bondedClump clump("line", chainOf(n + 1, 1, l));
@@ -103,7 +103,7 @@ void Foam::statics()
     // Straight beams: tip load, shear included, and tension
     for (const label n : {1, 4, 32})
     {
-        line l;
+        lineProperties l;
         l.EA = 50;
         l.GA = 20;
         l.bond = "timoshenko";

@@ -81,15 +81,6 @@ void Foam::clumpType::check(const dictionary& dict) const
         return;
     }
 
-    // The last two are those of membraneMechanics and surfaceImmersion
-    checkEntries
-    (
-        dict,
-        {
-            "shape", "density", "motion", "nominalVolume", "scale", "classOf",
-            "share", "membrane", "kernel"
-        }
-    );
     for
     (
         const word key :
@@ -107,6 +98,17 @@ void Foam::clumpType::check(const dictionary& dict) const
                 << exit(FatalIOError);
         }
     }
+
+    // The last two are those of membraneMechanics and surfaceImmersion
+    checkEntries
+    (
+        dict,
+        {
+            "shape", "density", "motion", "nominalVolume", "scale", "classOf",
+            "share", "membrane", "kernel"
+        }
+    );
+
     if (dict.getOrDefault<word>("motion", "free") == "fixed")
     {
         FatalIOErrorInFunction(dict)

@@ -165,13 +165,25 @@ void Foam::refuseUnread
     for (const word& key : unknown)
     {
         const word meant(nearestName(key, known));
+        if (words.referred.found(key))
+        {
+            continue;
+        }
         const bool misspelt =
             !meant.empty()
-         && spellingDistance(key, meant) < 2 + meant.size()/8;
-
-        if (!words.referred.found(key) && (words.own.found(key) || misspelt))
+         && (
+                spellingDistance(key, meant) < 2 + meant.size()/8
+             || (words.own.found(key) && !dict.found(meant))
+            );
+        if (misspelt)
         {
             refuseUnread(dict, key, known);
+        }
+        if (words.own.found(key))
+        {
+            IOWarningInFunction(dict)
+                << "Nothing reads the entry '" << key << "' and nothing refers to"
+                << " it" << endl;
         }
     }
 }

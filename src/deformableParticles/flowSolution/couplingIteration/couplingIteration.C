@@ -178,7 +178,7 @@ void Foam::couplingIteration::endStep()
             << endl;
         acceleration_->clear();
         ++nSteps_;
-        if (missed())
+        if (nCorrectors_ == flow_.control().nCorrPIMPLE() && missed())
         {
             ++nMissed_;
             worst_ = max(worst_, last_);

@@ -25,7 +25,7 @@ for r in runs:
     results.add(f"{r['run']}: longest diameter / D",
                 max(max(w["L1_m"], w["L2_m"]) for w in path)/diameter, "-", 1,
                 0.05 if r["kind"] == "tubeFlow" else 0.5, "bounded",
-                1.07769 if r["kind"] == "tubeFlow" else None)
+                1.07996 if r["kind"] == "tubeFlow" else None)
     if r["kind"] == "tubeFlow":
         late = path[len(path)//2:]
         speed = mean([w["u_m_s"] for w in late])/mean_velocity

@@ -173,7 +173,10 @@ void Foam::refuseUnread
             !meant.empty()
          && (
                 spellingDistance(key, meant) < 2 + meant.size()/8
-             || (words.own.found(key) && !dict.found(meant))
+             || (
+                    words.own.found(key) && !dict.found(meant)
+                 && meant.find(key) != std::string::npos
+                )
             );
         if (misspelt)
         {

@@ -130,6 +130,42 @@ TEST_CASE("conservation: the volume of the union, folded or not", "[conservation
 }
 
 
+TEST_CASE("conservation: the volume is continuous where spheres meet", "[conservation][serial]")
+{
+    // A large sphere that moves through the gap of two others: its gradient times its path is
+    // the change of volume in every small step
+    const scalarField radii({1, 1, 1.3});
+    const label n = 2000;
+    const vector step(0, 3.2e-3, 0.4e-3);
+    pointField x({point(-1.2, 0, 0), point(1.2, 0.1, 0), point(0, -3.2, 0.2)});
+    vectorField grad(3), before(3);
+    const scalar first = sphereUnion::smoothVolume(x, radii, before);
+    scalar V = first;
+    scalar range = 0, worst = 0;
+    for (label k = 0; k < n; ++k)
+    {
+        x[2] += step;
+        const scalar next = sphereUnion::smoothVolume(x, radii, grad);
+        worst = max(worst, mag(next - V - 0.5*((grad[2] + before[2]) & step)));
+        range = max(range, mag(next - first));
+        V = next;
+        before = grad;
+    }
+    CHECK(range > 1);
+    CHECK(worst < 1e-4*range);
+
+    // Far apart the union is the sum
+    x[2].y() = 10;
+    x[1].x() = 2;
+    CHECK
+    (
+        sphereUnion::smoothVolume(x, radii, grad)
+     == Approx(4*constant::mathematical::pi/3*sum(pow3(radii))).epsilon(1e-12)
+    );
+    CHECK(max(mag(grad)) == 0);
+}
+
+
 TEST_CASE("conservation: a squeezed ring keeps the volume of its union", "[conservation][serial]")
 {
     // Pulled apart with force enough to lay its strands into each other

@@ -376,9 +376,6 @@ FORBIDDEN = [
 
 # Misses that are understood: levels, check, the largest value so far, and the cause
 KNOWN = [
-    ({"bodies": ["shell"]}, "warnings", 1,
-     "Newton's method for a closed shell that is pulled ends a step after 100 iterations with a"
-     " last change of 3e-6 to 3e-5 radii; it converges linearly there"),
     ({"outer": ["tolerance"], "gravity": ["on"]}, "totalError", 0.25,
      "couplingTolerance is a norm over the pressure and all clumps: the semi-implicit term of the"
      " coupling, which the fluid does not receive in this step, may be as large as this"),

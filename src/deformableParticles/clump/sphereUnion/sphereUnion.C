@@ -78,6 +78,17 @@ tensor frame
 }
 
 
+//- Weight of the plane between two spheres at a distance of x times the sum of their
+//  radii: 1 where they touch, 0 from 1.5 times that distance on, with two continuous
+//  derivatives. slope: dw/dx
+scalar weightOfPlane(const scalar x, scalar& slope)
+{
+    const scalar s = min(max(2*(x - 1), 0), 1);
+    slope = -60*sqr(s*(1 - s));
+    return 1 - pow3(s)*(10 - 15*s + 6*sqr(s));
+}
+
+
 //- Remove from grad the part that does work on a rotation of all points
 void removeTorque
 (
@@ -167,7 +178,7 @@ Foam::scalar Foam::sphereUnion::smoothVolume
     grad = Zero;
     scalar result = 0;
     DynamicList<label> near;
-    DynamicList<scalar> a;
+    DynamicList<scalar> a, w, slope;
     std::vector<perDirection, Eigen::aligned_allocator<perDirection>>
         y;                          // r d.n/a, 0 where it is negative
     perDirection S, t3, y2, y4, y15;
@@ -179,16 +190,22 @@ Foam::scalar Foam::sphereUnion::smoothVolume
 
         near.clear();
         a.clear();
+        w.clear();
+        slope.clear();
         y.clear();
         S = 1;
         forAll(x, j)
         {
             const vector d(x[j] - x[i]);
             const scalar d2 = magSqr(d);
-            if (j == i || d2 >= sqr(r + radii[j]) || d2 <= sqr(1e-6*r))
+            const scalar touch = r + radii[j];
+            if (j == i || d2 >= sqr(1.5*touch) || d2 <= sqr(1e-6*r))
             {
                 continue;
             }
+            scalar dw;
+            w.append(weightOfPlane(Foam::sqrt(d2)/touch, dw));
+            slope.append(dw/touch);
             near.append(j);
             a.append(max(0.5*(d2 + sqr(r) - sqr(radii[j])), 1e-6*sqr(r)));
 
@@ -198,7 +215,7 @@ Foam::scalar Foam::sphereUnion::smoothVolume
             (
                 (n*column(dLocal.x(), dLocal.y(), dLocal.z())).array().max(0.0)
             );
-            S += y.back().square().square().square().square();
+            S += w.last()*y.back().square().square().square().square();
         }
 
         // t^3 = r^3 S^(-3/16)
@@ -206,19 +223,19 @@ Foam::scalar Foam::sphereUnion::smoothVolume
         result += weight/3*t3.sum();
         t3 /= S;
 
-        // d(t^3/3) = -t^3/S sum_j y^16 (n.delta/(d.n) - d.delta/a),
-        // delta = dx_j - dx_i
+        // d(t^3/3) = -t^3/S sum_j y^16 (w (n.delta/(d.n) - d.delta/a)
+        //   + dw/dd d.delta/(16 |d|)), delta = dx_j - dx_i
         forAll(near, k)
         {
             y2 = y[k].square();
             y4 = y2.square();
             y15 = weight*t3*y4.square()*y4*y2*y[k];
 
-            const column along(r/a[k]*(n.transpose()*y15.matrix()));
+            const column along(w[k]*r/a[k]*(n.transpose()*y15.matrix()));
             const vector d(x[near[k]] - x[i]);
             const vector g
             (
-                (y15*y[k]).sum()/a[k]*d
+                (y15*y[k]).sum()*(w[k]/a[k] - slope[k]/(16*mag(d)))*d
               - (T.T() & vector(along[0], along[1], along[2]))
             );
             grad[near[k]] += g;

@@ -70,10 +70,7 @@ int main(int argc, char* argv[])
     sceneEffects& effects = cloud.effects();
     timeBreakdown& timing = cloud.timing();
     timeStepControl timeStep(runTime);
-    runMonitor monitor
-    (
-        runTime, cloud, args, flow.solved() ? piso.nCorrPIMPLE() : 0
-    );
+    runMonitor monitor(runTime, cloud, flow, args);
     resistanceMeasurement resistance(runTime, cloud, flow, args);
     convectionCriterion convection(cloud, resistance.wanted());
     couplingIteration coupling(cloud, flow, !resistance.wanted());
@@ -115,62 +112,69 @@ int main(int argc, char* argv[])
             );
         }
 
-        ++runTime;
-        monitor.beginStep();
-
-        if (flow.solved())
+        do
         {
-            sliding.beginStep();
-            coupling.beginStep();
-            refineAroundClumps(mesh, cloud, flow);
+            monitor.beginStep();
 
-            if (cloud.coupled())
+            if (flow.solved())
             {
-                cloud.immerse
-                (
-                    nu, !resistance.wanted(), piso.nCorrPIMPLE() > 1
-                );
-            }
+                sliding.beginStep();
+                coupling.beginStep();
+                refineAroundClumps(mesh, cloud, flow);
 
-            // --- Pressure-velocity coupling
-            while (coupling.loop())
-            {
-                const timeBreakdown::timer t(timing, "flow");
-
-                #include "UEqn.H"
-
-                while (piso.correct())
+                if (cloud.coupled())
                 {
-                    #include "pEqn.H"
+                    cloud.immerse
+                    (
+                        nu, !resistance.wanted(), piso.nCorrPIMPLE() > 1
+                    );
                 }
 
-                laminarTransport.correct();
-                turbulence.correct();
+                // --- Pressure-velocity coupling
+                while (coupling.loop())
+                {
+                    const timeBreakdown::timer t(timing, "flow");
+
+                    #include "UEqn.H"
+
+                    while (piso.correct())
+                    {
+                        #include "pEqn.H"
+                    }
+
+                    laminarTransport.correct();
+                    turbulence.correct();
+                }
+            }
+
+            // --- Clumps, which do not move where their resistance is measured
+            if (!resistance.wanted())
+            {
+                if (flow.solved())
+                {
+                    fvOptions.correct(U);
+                }
+                if (cloud.hasFluid())
+                {
+                    cloud.evolve(U, p, nu);
+                }
+                else
+                {
+                    cloud.evolve();
+                }
             }
         }
+        while (!resistance.wanted() && monitor.repeats());
 
         if (resistance.wanted())
         {
-            // The clumps do not move, and the flow starts from rest for each column
+            // The flow starts from rest for each column
             resistance.endStep();
         }
         else
         {
-            if (flow.solved())
-            {
-                fvOptions.correct(U);
-            }
-
-            // --- Clumps
-            if (cloud.hasFluid())
-            {
-                cloud.evolve(U, p, nu);
-                momentum.correct();
-            }
-            else
-            {
-                cloud.evolve();
-            }
+            cloud.accept();
+            momentum.correct();
             monitor.check();
             if (flow.solved())
             {

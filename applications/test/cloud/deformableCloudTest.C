@@ -36,6 +36,7 @@ TEST_CASE("cloud: free flight through every periodic boundary", "[cloud]")
     for (label step = 0; step < nSteps; ++step)
     {
         t.cloud().evolve();
+        t.cloud().accept();
         t.cloud().moveParcels();
     }
     REQUIRE(t.cloud().nClumps() == 1);
@@ -65,6 +66,7 @@ TEST_CASE("cloud: a collision conserves momentum", "[cloud][contact]")
     for (label step = 0; step < 300; ++step)
     {
         t.cloud().evolve();
+        t.cloud().accept();
         t.cloud().moveParcels();
         scalar speed = 0;
         for (const clumpParcel& p : t.cloud())
@@ -202,6 +204,7 @@ TEST_CASE("cloud: walls of processors that become neighbours", "[cloud][walls]")
     testTime().setDeltaT(1e-9, false);
     openCloud cloud(testMesh(), dict);
     cloud.evolve();
+    cloud.accept();
 
     vectorField u(2, Zero);
     for (clumpParcel& p : cloud)
@@ -213,6 +216,7 @@ TEST_CASE("cloud: walls of processors that become neighbours", "[cloud][walls]")
         s.x[1].x() = 5.3e-6;
     }
     cloud.evolve();
+    cloud.accept();
     for (const clumpParcel& p : cloud)
     {
         u = p.state().u;
@@ -232,6 +236,7 @@ TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
     const sceneEffects& active = t.cloud().effects();
     const timeBreakdown& timing = t.cloud().timing();
     t.cloud().evolve();
+    t.cloud().accept();
     t.cloud().moveParcels();
 
     CHECK(!active.active("contact"));
@@ -242,8 +247,10 @@ TEST_CASE("cloud: effects follow the scene", "[cloud][effects]")
 
     t.add(point(10e-6, 10e-6, 13e-6));
     t.cloud().evolve();
+    t.cloud().accept();
     t.cloud().moveParcels();
     t.cloud().evolve();
+    t.cloud().accept();
     t.cloud().moveParcels();
     CHECK(active.active("contact"));
 }
@@ -275,6 +282,7 @@ TEST_CASE("cloud: an iteration sees the clumps where the step began", "[cloud][c
     // A step decides that there is contact
     t.immerse();
     t.cloud().evolve(U, p, nu);
+    t.cloud().accept();
     t.immerse();
 
     const List<clumpImage> before(t.cloud().ghosts().images());

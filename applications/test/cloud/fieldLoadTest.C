@@ -95,6 +95,7 @@ List<loadedSphere> spheresAfterStep(openCloud& cloud)
     List<vectorField> u(Pstream::nProcs());
     const label me = Pstream::myProcNo();
     cloud.evolve();
+    cloud.accept();
     for (const clumpParcel& p : cloud)
     {
         // Those at the start of the step, a way of less than 1e-9 m earlier
@@ -245,6 +246,7 @@ TEST_CASE
     for (label step = 0; step < 50; ++step)
     {
         cloud->evolve(U, p, nu);
+        cloud->accept();
         cloud->moveParcels();
     }
     // F = 1000 V 2, u = F/(6 pi mu a)
@@ -330,6 +332,7 @@ TEST_CASE("rotatingField: a magnet swings in a field at rest", "[cloud][fieldLoa
     for (label step = 0; step < n; ++step)
     {
         cloud->evolve();
+        cloud->accept();
         cloud->moveParcels();
         if (step == n/2 - 1)
         {

@@ -42,6 +42,7 @@ List<vector> run(openCloud& cloud, const label nSteps)
     for (label step = 0; step < nSteps; ++step)
     {
         cloud.evolve();
+        cloud.accept();
         cloud.moveParcels();
     }
     List<vector> result;

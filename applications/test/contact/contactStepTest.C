@@ -72,6 +72,7 @@ TEST_CASE("contact step: the forces are opposite, without a moment", "[contact]"
       + at("cell", point(12e-6, 11.7e-6, 9.1e-6), vector(-1e-3, 0, 0))
     );
     t.cloud->evolve();
+    t.cloud->accept();
     vector force(Zero), moment(Zero);
     scalar size = 0;
     for (const clumpParcel& p : *t.cloud)
@@ -112,6 +113,7 @@ TEST_CASE("contact step: nothing passes through anything", "[contact]")
     );
     const vector P(t.momentum());
     t.cloud->evolve();
+    t.cloud->accept();
     const vectorField x(t.centres());
     INFO(type << ' ' << part << ": " << x[0].x() << ' ' << x[1].x());
     CHECK(x[0].x() - x[1].x() > D - 0.2*r);
@@ -137,6 +139,7 @@ TEST_CASE("contact step: what slips around is noticed", "[contact]")
             )
         );
         t.cloud->evolve();
+        t.cloud->accept();
         bool any = false;
         for (const bool passes : t.cloud->passing())
         {

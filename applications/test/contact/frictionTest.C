@@ -59,6 +59,7 @@ motion after(openCloud& cloud, const label nSteps, const label id = 0)
     for (label step = 0; step < nSteps; ++step)
     {
         cloud.evolve();
+        cloud.accept();
         cloud.moveParcels();
     }
     motion result;

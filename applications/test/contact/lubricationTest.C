@@ -71,6 +71,7 @@ struct wetCloud
             before.append(clump.state().x);
         }
         cloud->evolve(U, p, viscosity);
+        cloud->accept();
         label k = 0;
         for (const clumpParcel& clump : *cloud)
         {

@@ -312,6 +312,7 @@ TEST_CASE("tables: stress of two spheres in contact", "[tables]")
         )
     );
     cloud->evolve();
+    cloud->accept();
 
     // The force on the first one from its motion, and the distance at the end
     vector force(Zero), apart(Zero);

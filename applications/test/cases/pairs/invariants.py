@@ -124,7 +124,7 @@ class Judge:
             block = re.search(r"^%s\n\{(.*?)^\}" % group, text, re.S | re.M)
             return sum(map(int, re.findall(r"\s(\d+);", block.group(1)))) if block else 0
         placed, entered, left = number("placed"), numbers("entered"), numbers("left")
-        inside = sum(row["time"] == force[-1]["time"] for row in force)
+        inside = sum(abs(row["time"]/END - 1) < 1e-6 for row in force)
         self.check("clumps missing", abs(placed + entered - left - inside), 0,
                    f"{placed} placed, {entered} entered, {left} left, {inside} inside")
         self.check("clumps placed, difference", abs(placed - (3 if self.row["bodies"] in (

@@ -22,22 +22,22 @@ void Foam::deformableCloud::evolve
     decideEffects();
     solve(mesh_.time().deltaTValue());
 
-    vector dU(Zero);
+    flowChange_ = Zero;
     if (coupled())
     {
-        dU = (U() - U.oldTime()())().weightedAverage(mesh_.V()).value();
+        flowChange_ =
+            (U() - U.oldTime()())().weightedAverage(mesh_.V()).value();
     }
-    accept(dU);
 }
 
 
-void Foam::deformableCloud::accept(const vector& dU)
+void Foam::deformableCloud::accept()
 {
     for (clumpParcel& parcel : *this)
     {
         parcel.accept
         (
-            type(parcel), mesh_.time().deltaTValue()*meshVelocity_, dU
+            type(parcel), mesh_.time().deltaTValue()*meshVelocity_, flowChange_
         );
     }
     contacting_.forget();
@@ -62,7 +62,6 @@ void Foam::deformableCloud::evolve()
     updateGhosts();
     decideEffects();
     solve(mesh_.time().deltaTValue());
-    accept(Zero);
 }
 
 

@@ -158,6 +158,11 @@ bool Foam::couplingIteration::loop()
 void Foam::couplingIteration::beginStep()
 {
     residual_.beginStep();
+    nCorrectors_ = 0;
+    if (clumpsFollow_)
+    {
+        acceleration_->clear();
+    }
 
     // There is no pattern to be carried before the first step
     const bool started = flow_.p().time().timeIndex() > 1;
@@ -176,7 +181,6 @@ void Foam::couplingIteration::endStep()
         last_ = residual_.value(p0_);
         Info<< "Outer correctors: " << nCorrectors_ << ", residual " << last_
             << endl;
-        acceleration_->clear();
         ++nSteps_;
         if (nCorrectors_ == flow_.control().nCorrPIMPLE() && missed())
         {
@@ -185,7 +189,6 @@ void Foam::couplingIteration::endStep()
             warnOfMiss();
         }
     }
-    nCorrectors_ = 0;
 }
 
 

@@ -25,9 +25,9 @@ void Foam::runMonitor::addOptions()
 Foam::runMonitor::runMonitor
 (
     completeTime& runTime,
-    const deformableCloud& cloud,
-    const argList& args,
-    const label nOuterCorrectors
+    deformableCloud& cloud,
+    incompressibleFlow& flow,
+    const argList& args
 )
 :
     runTime_(runTime),
@@ -42,7 +42,12 @@ Foam::runMonitor::runMonitor
     ),
     report_(runTime, cloud, args.found("quiet")),
     watchdog_(runTime, cloud),
-    estimate_(runTime, cloud, args.found("estimate"), nOuterCorrectors)
+    repeated_(runTime, flow, watchdog_.state()),
+    estimate_
+    (
+        runTime, cloud, args.found("estimate"),
+        flow.solved() ? flow.control().nCorrPIMPLE() : 0
+    )
 {
     functionNames::check(runTime);
 }
@@ -74,6 +79,28 @@ bool Foam::runMonitor::run() const
 {
     const timeBreakdown::timer t(timing_, "write");
     return !(estimate_.wanted() && estimate_.done()) && runTime_.run();
+}
+
+
+void Foam::runMonitor::beginStep()
+{
+    repeated_.begin();
+    ++runTime_;
+    report_.beginStep();
+}
+
+
+bool Foam::runMonitor::repeats()
+{
+    const timeBreakdown::timer t(timing_, "checks");
+    const string& wrong = watchdog_.judge();
+    if (watchdog_.curable() && repeated_.divide(wrong))
+    {
+        cloud_.refuse();
+        return true;
+    }
+    repeated_.accept();
+    return false;
 }
 
 
@@ -115,6 +142,7 @@ void Foam::runMonitor::endStep()
 void Foam::runMonitor::end() const
 {
     logBuffer::quieten(false);
+    repeated_.end();
     if (report_.idle())
     {
         report_.explainIdle();

@@ -8,6 +8,7 @@
 #include "flowDriving.H"
 #include "foamCompat.H"
 #include "fvcDiv.H"
+#include "repeatedStep.H"
 #include "StringStream.H"
 #include "wallPolyPatch.H"
 
@@ -254,6 +255,8 @@ Foam::watchdog::watchdog
     runTime_(runTime),
     cloud_(cloud),
     deep_(false),
+    deepBefore_(false),
+    curable_(true),
     halves_(false),
     state_
     (
@@ -288,15 +291,11 @@ Foam::watchdog::watchdog
 }
 
 
-void Foam::watchdog::checkWalls()
+Foam::string Foam::watchdog::throughWalls()
 {
-    const scalar dt = runTime_.deltaTValue();
-
     // A sphere that has gone through in this step had its centre behind the wall
     // before; now the wall may not act on it any more
-    const bool nowDeep = cloud_.overlaps().second() > 1;
-    const bool deep = nowDeep || deep_;
-    deep_ = nowDeep;
+    deep_ = cloud_.overlaps().second() > 1;
     OStringStream said;
     for (const clumpParcel& p : cloud_)
     {
@@ -306,9 +305,14 @@ void Foam::watchdog::checkWalls()
             continue;
         }
 
-        const pointField x(p.centres());
+        const pointField x(p.position() + p.step().end.x);
         label behind = -1;
-        for (label i = 0; deep && i < x.size() && behind < 0; ++i)
+        for
+        (
+            label i = 0;
+            (deep_ || deepBefore_) && i < x.size() && behind < 0;
+            ++i
+        )
         {
             const scalar r = type.radii()[i];
             scalar height = 0;
@@ -324,14 +328,14 @@ void Foam::watchdog::checkWalls()
         }
 
         // From where tracking through the mesh has ended
-        const point centre(p.state().centre(type));
-        const scalar outside = mag(centre - dt*p.state().velocity(type));
-        const scalar reach = max(mag(p.state().x - centre) + type.radii());
+        const point before(p.state().centre(type));
+        const scalar outside = mag(before);
+        const scalar reach = max(mag(p.state().x - before) + type.radii());
         if (behind < 0 && outside < reach)
         {
             continue;
         }
-        said<< "    clump " << p.origId() << " at " << p.centre(type) << ": ";
+        said<< "    clump " << p.origId() << " at " << average(x) << ": ";
         if (behind >= 0)
         {
             said<< "sphere " << behind << " has passed through a wall";
@@ -340,17 +344,9 @@ void Foam::watchdog::checkWalls()
         {
             said<< "it is outside the mesh, behind a wall";
         }
-        said<< nearestWall(cloud_.pMesh(), p.centre(type)).c_str() << nl;
+        said<< nearestWall(cloud_.pMesh(), average(x)).c_str() << nl;
     }
-    stop
-    (
-        said.str(),
-        cloud_.effects().switchedOff("walls")
-      ? string("Switch the effect walls on in constant/clumpProperties.")
-      : "The wall yields too much to the force that presses the clump against it."
-        " Increase\nreducedModulus (or stress) of wallContactModel in"
-        " constant/clumpProperties, or: " + smallerStep() + '.'
-    );
+    return said.str();
 }
 
 
@@ -363,22 +359,22 @@ Foam::string Foam::watchdog::smallerStep() const
 }
 
 
-void Foam::watchdog::check()
+Foam::string Foam::watchdog::thrown()
 {
-    halve(cloud_.needsShorterStep());
-    checkWalls();
-
     OStringStream said;
     label index = 0;
     for (const clumpParcel& p : cloud_)
     {
         const clumpType& type = cloud_.type(p);
+        const clumpState& s = p.step().end;
+        OStringStream name;
+        name<< "    clump " << p.origId() << " at "
+            << p.position() + s.centre(type) << ": ";
         if (cloud_.passing().size() && cloud_.passing()[index++])
         {
-            said<< "    clump " << p.origId() << " at " << p.centre(type)
-                << ": passes through another clump in one step" << nl;
+            said<< name.str().c_str() << "passes through another clump in one step"
+                << nl;
         }
-        const clumpState& s = p.state();
         const scalar displacement =
             runTime_.deltaTValue()
            *max(mag(s.u - cloud_.meshVelocity())/type.bodyRadii());
@@ -388,27 +384,61 @@ void Foam::watchdog::check()
 
         if (!(displacement < maxDisplacement_))
         {
-            said<< "    clump " << p.origId() << " at " << p.centre(type)
-                << ": a sphere is displaced by " << displacement
-                << " radii in one step" << nl;
+            said<< name.str().c_str() << "a sphere is displaced by "
+                << displacement << " radii in one step" << nl;
+            curable_ =
+                curable_
+             && displacement < repeatedStep::mostParts*maxDisplacement_;
         }
         if (!(size < maxExtent_))
         {
-            said<< "    clump " << p.origId() << " at " << p.centre(type)
-                << ": " << size << " times as long as at rest" << nl;
+            said<< name.str().c_str() << size << " times as long as at rest" << nl;
         }
     }
-    stop
-    (
-        said.str(),
+    return said.str();
+}
+
+
+const Foam::string& Foam::watchdog::judge()
+{
+    curable_ = true;
+    wrong_ = throughWalls();
+    if (returnReduce(wrong_.size() > 0, orOp<bool>()))
+    {
+        remedy_ =
+            cloud_.effects().switchedOff("walls")
+          ? string("Switch the effect walls on in constant/clumpProperties.")
+          : "The wall yields too much to the force that presses the clump against"
+            " it. Increase\nreducedModulus (or stress) of wallContactModel in"
+            " constant/clumpProperties, or: " + smallerStep() + '.';
+        return wrong_;
+    }
+    wrong_ = thrown();
+    remedy_ =
         smallerStep()
       + (
             cloud_.coupled()
           ? ", increase the coefficient of the couplingScheme, or increase"
             " nOuterCorrectors."
           : "."
-        )
-    );
+        );
+    return wrong_;
+}
+
+
+bool Foam::watchdog::curable() const
+{
+    return
+        returnReduce(wrong_.size() > 0, orOp<bool>())
+     && returnReduce(curable_, andOp<bool>());
+}
+
+
+void Foam::watchdog::check()
+{
+    deepBefore_ = deep_;
+    halve(cloud_.needsShorterStep());
+    stop(wrong_, remedy_);
 }
 
 

@@ -1,0 +1,126 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "repeatedStep.H"
+#include "foamCompat.H"
+
+void Foam::repeatedStep::keep()
+{
+    const word key("dividedStep");
+    state_.remove(key);
+    if (whole_ > 0)
+    {
+        dictionary divided;
+        divided.add("deltaT", runTime_.deltaTValue());
+        divided.add("whole", whole_);
+        divided.add("wholeEnds", wholeEnds_);
+        state_.add(key, divided);
+    }
+}
+
+
+Foam::repeatedStep::repeatedStep
+(
+    completeTime& runTime,
+    incompressibleFlow& flow,
+    dictionary& state
+)
+:
+    runTime_(runTime),
+    flow_(flow),
+    state_(state),
+    nParts_(1),
+    nTotal_(0),
+    whole_(0),
+    wholeEnds_(0)
+{
+    if (state.found("dividedStep"))
+    {
+        const dictionary& divided = state.subDict("dividedStep");
+        divided.readEntry("whole", whole_);
+        divided.readEntry("wholeEnds", wholeEnds_);
+        runTime_.setDeltaT(divided.get<scalar>("deltaT"), false);
+    }
+}
+
+
+void Foam::repeatedStep::begin()
+{
+    start_.reset(new TimeState(runTime_));
+    if (flow_.solved())
+    {
+        p_.reset(new volScalarField("pBeforeStep", flow_.p()));
+    }
+}
+
+
+void Foam::repeatedStep::goBack()
+{
+    runTime_.returnTo(*start_);
+    if (flow_.solved())
+    {
+        flow_.p() == *p_;
+        flow_.U() == flow_.U().oldTime();
+        flow_.phi() == flow_.phi().oldTime();
+    }
+}
+
+
+bool Foam::repeatedStep::divide(const string& reason)
+{
+    if (2*nParts_ > mostParts)
+    {
+        return false;
+    }
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = reason;
+    gatherToAll(all);
+
+    const scalar dt = runTime_.deltaTValue();
+    Info<< "The step to time " << runTime_.timeName() << " is repeated with the"
+        << " time step " << 0.5*dt << " s:" << nl;
+    for (const string& said : all)
+    {
+        Info<< said.c_str();
+    }
+    Info<< endl;
+
+    goBack();
+    const bool adjusts =
+        runTime_.controlDict().getOrDefault("adjustTimeStep", false);
+    if (!adjusts && whole_ <= 0)
+    {
+        whole_ = dt;
+        wholeEnds_ = runTime_.value() + dt;
+    }
+    runTime_.setDeltaT(0.5*dt, adjusts);
+    keep();
+    nParts_ *= 2;
+    ++nTotal_;
+    return true;
+}
+
+
+void Foam::repeatedStep::accept()
+{
+    nParts_ = 1;
+    if (whole_ > 0 && runTime_.value() > wholeEnds_ - 1e-6*whole_)
+    {
+        runTime_.setDeltaT(whole_, false);
+        whole_ = 0;
+        keep();
+    }
+}
+
+
+void Foam::repeatedStep::end() const
+{
+    if (nTotal_)
+    {
+        WarningInFunction
+            << nTotal_ << " steps were repeated with half the time step, because of"
+            << " the clumps that were named then." << endl;
+    }
+}

@@ -164,7 +164,7 @@ int main(int argc, char* argv[])
                 }
             }
         }
-        while (!resistance.wanted() && monitor.repeats());
+        while (!resistance.wanted() && monitor.repeats(coupling));
 
         if (resistance.wanted())
         {
@@ -179,7 +179,7 @@ int main(int argc, char* argv[])
             if (flow.solved())
             {
                 coupling.endStep();
-                monitor.check(U, p, phi, coupling);
+                monitor.check(U, p, phi);
             }
             cloud.moveParcels();
         }

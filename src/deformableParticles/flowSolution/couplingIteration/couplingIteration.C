@@ -5,6 +5,7 @@
 
 #include "couplingIteration.H"
 #include "mathematicalConstants.H"
+#include "StringStream.H"
 
 namespace
 {
@@ -40,6 +41,7 @@ Foam::couplingIteration::couplingIteration
     tolerance_(0),
     nCorrectors_(0),
     last_(0),
+    refused_(GREAT),
     nSteps_(0),
     nMissed_(0),
     worst_(0)
@@ -174,11 +176,32 @@ void Foam::couplingIteration::beginStep()
 }
 
 
+Foam::string Foam::couplingIteration::disagreement()
+{
+    if (!clumpsFollow_)
+    {
+        return string();
+    }
+    last_ = residual_.value(p0_);
+    const bool far =
+        tolerance_ > 0 && last_ > max(5*tolerance_, scalar(0.1))
+     && last_ < 0.9*refused_;
+    refused_ = far ? last_ : GREAT;
+    if (!far)
+    {
+        return string();
+    }
+    OStringStream os;
+    os  << "    flow and clumps do not agree: after " << nCorrectors_
+        << " outer correctors the residual is " << last_ << nl;
+    return os.str();
+}
+
+
 void Foam::couplingIteration::endStep()
 {
     if (clumpsFollow_)
     {
-        last_ = residual_.value(p0_);
         Info<< "Outer correctors: " << nCorrectors_ << ", residual " << last_
             << endl;
         ++nSteps_;

@@ -120,7 +120,7 @@ void Foam::repeatedStep::end() const
     if (nTotal_)
     {
         WarningInFunction
-            << nTotal_ << " steps were repeated with half the time step, because of"
-            << " the clumps that were named then." << endl;
+            << nTotal_ << " steps were repeated with half the time step, for the"
+            << " reasons that were printed then." << endl;
     }
 }

@@ -90,11 +90,20 @@ void Foam::runMonitor::beginStep()
 }
 
 
-bool Foam::runMonitor::repeats()
+bool Foam::runMonitor::repeats(couplingIteration& coupling)
 {
     const timeBreakdown::timer t(timing_, "checks");
     const string& wrong = watchdog_.judge();
-    if (watchdog_.curable() && repeated_.divide(wrong))
+    const string disagreement(coupling.disagreement());
+    const bool thrown = watchdog_.curable();
+    if
+    (
+        (thrown || disagreement.size())
+     && repeated_.divide
+        (
+            thrown ? wrong : Pstream::master() ? disagreement : string()
+        )
+    )
     {
         cloud_.refuse();
         return true;
@@ -115,13 +124,11 @@ void Foam::runMonitor::check
 (
     const volVectorField& U,
     const volScalarField& p,
-    const surfaceScalarField& phi,
-    const couplingIteration& coupling
+    const surfaceScalarField& phi
 )
 {
     const timeBreakdown::timer t(timing_, "checks");
     watchdog_.check(report_.continuityError(), U, p, phi);
-    watchdog_.checkCoupling(coupling.residual(), coupling.tolerance());
 }
 
 

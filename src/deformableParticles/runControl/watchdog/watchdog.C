@@ -181,29 +181,6 @@ void Foam::watchdog::checkContinuity
 }
 
 
-void Foam::watchdog::checkCoupling
-(
-    const scalar residual,
-    const scalar tolerance
-)
-{
-    const word key("couplingResidual");
-    const bool far =
-        tolerance > 0 && residual > max(5*tolerance, scalar(0.1));
-    const scalar before = state_.getOrDefault<scalar>(key, GREAT);
-
-    halve(halves_ || (far && residual < 0.9*before));
-    if (far)
-    {
-        state_.set(key, residual);
-    }
-    else
-    {
-        state_.remove(key);
-    }
-}
-
-
 void Foam::watchdog::checkGrowth
 (
     const volVectorField& U,

@@ -14,6 +14,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPlaneCollection, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCutter, vtkPolyDataNormals
@@ -24,6 +25,7 @@ from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 sys.dont_write_bytecode = True
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "u", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 
@@ -31,12 +33,14 @@ PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "u", -3: "m", 0: "", 3: "
 def fitting(unit, most):
     """Factor and name of the multiple of an SI unit in which a number of this size has one to
     three digits before its point; units of another kind stay."""
-    if not np.isfinite(most) or most <= 0 or unit.split("/")[0].split(" ")[0].split(".")[0] \
-            not in ("m", "s", "N", "Pa", "J", "W"):
+    first = re.split("[/ .]", unit)[0]
+    if not np.isfinite(most) or most <= 0 or \
+            first not in ("m", "m2", "m3", "s", "N", "Pa", "J", "W"):
         return 1, unit
-    power = int(3*np.floor(np.log10(most)/3 + 1e-9))
+    exponent = int(first[1]) if first in ("m2", "m3") else 1
+    power = int(3*np.floor(np.log10(most)/3/exponent + 1e-9))
     power = max(min(power, 9), -18)
-    return 10.0**-power, PREFIXES[power] + unit
+    return 10.0**(-power*exponent), PREFIXES[power] + unit
 
 
 def lengthUnit(span):

@@ -13,7 +13,7 @@ namespace
 
 using namespace Foam;
 
-//- rho (nu/D)^2 times this is 60 Pa for red cells in plasma
+//- rho (nu/D)^2 times this is 64 Pa for red cells in plasma
 const scalar ofViscosity = 2.5;
 
 //- The axial stiffness of the bonds over their cross section times this is 60 Pa for the

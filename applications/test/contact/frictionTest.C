@@ -270,6 +270,23 @@ TEST_CASE("friction: a wall that moves", "[contact][friction]")
 }
 
 
+TEST_CASE("friction: a wall whose images would move otherwise", "[contact][friction]")
+{
+    // It turns about y, the box is periodic in x and z
+    const autoPtr<volVectorField> U(movingWalls(Zero, vector(0, 50, 0)));
+    OStringStream place;
+    place.precision(15);
+    place
+        << "{ type ball; position (4e-6 " << radius - depth(mass*g)
+        << " 10e-6); velocity (0 0 0); }";
+    const vector weight(0, -mass*g, 0);
+    CHECK_THROWS(after(*spheres(place.str(), weight, 0.5), 1));
+
+    // Without friction the walls have no motion
+    CHECK_NOTHROW(after(*spheres(place.str(), weight, 0), 1));
+}
+
+
 TEST_CASE("friction: motion of a wall", "[contact][friction]")
 {
     const vector u(1e-3, 0, -2e-3);

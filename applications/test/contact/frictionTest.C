@@ -4,7 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
+#include "contactLaws.H"
 #include "testCloud.H"
+#include "volFields.H"
+#include "wallMotion.H"
 #include "mathematicalConstants.H"
 #include <cmath>
 
@@ -27,7 +30,8 @@ autoPtr<openCloud> spheres
     const string& clumps,
     const vector& force,
     const scalar friction,
-    const scalar modulus = 1e5
+    const scalar modulus = 1e5,
+    const string& ofWalls = ""
 )
 {
     OStringStream os;
@@ -38,7 +42,7 @@ autoPtr<openCloud> spheres
         << "contactModel { type hertz; reducedModulus " << modulus
         << "; restitution 0.5; friction " << friction << "; }"
         << "wallContactModel { type hertz; reducedModulus 1e5; restitution 0.5;"
-        << " friction " << friction << "; }"
+        << " friction " << friction << "; " << ofWalls.c_str() << "}"
         << "loads { weight { type pointForces; clumpType ball; spheres (0); forces ("
         << force << "); torques ((0 0 0)); factor 1; } }"
         << "effects { fluid off; gravity off; contact on; walls on; }";
@@ -184,4 +188,261 @@ TEST_CASE("friction: two spheres that meet obliquely", "[contact][friction]")
     const scalar normal = Foam::sqrt(magSqr(change) - sqr(spin));
     CHECK(normal > 0.1);
     CHECK(spin/normal == Approx(mu).epsilon(0.02));
+}
+
+
+namespace
+{
+
+//- U of the test box with walls that move as a rigid body, as fixedValue
+autoPtr<volVectorField> movingWalls(const vector& u, const vector& w)
+{
+    const fvMesh& mesh = testMesh();
+    wordList kinds(mesh.boundary().size());
+    forAll(kinds, patchi)
+    {
+        const word& type = mesh.boundary()[patchi].type();
+        kinds[patchi] = type == "wall" ? word("fixedValue") : type;
+    }
+    autoPtr<volVectorField> U
+    (
+        new volVectorField
+        (
+            IOobject("U", mesh.time().timeName(), mesh),
+            mesh, dimensionedVector(dimVelocity, Zero), kinds
+        )
+    );
+    forAll(kinds, patchi)
+    {
+        if (kinds[patchi] == "fixedValue")
+        {
+            U->boundaryFieldRef()[patchi] ==
+                u + (w ^ mesh.boundary()[patchi].Cf());
+        }
+    }
+    return U;
+}
+
+}
+
+
+TEST_CASE("friction: a wall that moves", "[contact][friction]")
+{
+    // A sphere that rests on a belt takes 2/7 of its velocity when it rolls without
+    // slip: its angular momentum about the place of contact stays zero. This place is
+    // nearer to the centre than a radius
+    const scalar belt = 1e-3;
+    const autoPtr<volVectorField> U(movingWalls(vector(belt, 0, 0), Zero));
+    OStringStream place;
+    place.precision(15);
+    place
+        << "{ type ball; position (4e-6 " << radius - depth(mass*g)
+        << " 10e-6); velocity (0 0 0); }";
+    const vector weight(0, -mass*g, 0);
+    const scalar mu = 0.5;
+    autoPtr<openCloud> cloud(spheres(place.str(), weight, mu));
+
+    // While it slips, its acceleration is mu g
+    const scalar dt = testTime().deltaTValue();
+    const motion first(after(*cloud, 1));
+    CHECK(first.u.x() > 0);
+    CHECK(first.u.x() <= 1.02*mu*g*dt);
+    const motion end(after(*cloud, 200));
+    const scalar arm = radius - depth(mass*g);
+    const scalar expected = belt/(1 + 2.5*sqr(arm/radius));
+    CHECK(expected == Approx(2.0/7*belt).epsilon(0.02));
+    CHECK(end.u.x() == Approx(expected).epsilon(1e-3));
+    CHECK(end.w.z()*arm == Approx(belt - expected).epsilon(1e-3));
+
+    // And stays at rest where the pair has no friction
+    const motion smooth
+    (
+        after
+        (
+            *spheres
+            (
+                place.str(), weight, mu, 1e5,
+                "pairs { smooth { patches (walls); friction 0; } }"
+            ),
+            20
+        )
+    );
+    CHECK(mag(smooth.u.x()) < 1e-9*belt);
+}
+
+
+TEST_CASE("friction: a wall whose images would move otherwise", "[contact][friction]")
+{
+    // It turns about y, the box is periodic in x and z
+    const autoPtr<volVectorField> U(movingWalls(Zero, vector(0, 50, 0)));
+    OStringStream place;
+    place.precision(15);
+    place
+        << "{ type ball; position (4e-6 " << radius - depth(mass*g)
+        << " 10e-6); velocity (0 0 0); }";
+    const vector weight(0, -mass*g, 0);
+    CHECK_THROWS(after(*spheres(place.str(), weight, 0.5), 1));
+
+    // Without friction the walls have no motion
+    CHECK_NOTHROW(after(*spheres(place.str(), weight, 0), 1));
+}
+
+
+TEST_CASE("friction: motion of a wall", "[contact][friction]")
+{
+    const vector u(1e-3, 0, -2e-3);
+    const vector w(0, 50, 0);
+    autoPtr<volVectorField> U(movingWalls(u, w));
+    forAll(U->boundaryField(), patchi)
+    {
+        if (U->boundaryField()[patchi].patch().type() == "wall")
+        {
+            const wallMotion turns(U->boundaryField()[patchi]);
+            const point x(3e-6, 20e-6, 7e-6);
+            CHECK(turns.moves());
+            CHECK(mag(turns(x) - u - (w ^ x)) < 1e-9*mag(u));
+            CHECK(mag(turns.w() - w) < 1e-8*mag(w));
+
+            // Stretched along x: not that of a rigid body
+            U->boundaryFieldRef()[patchi] ==
+                100*U->boundaryField()[patchi].patch().Cf();
+            CHECK_THROWS(wallMotion(U->boundaryField()[patchi]));
+        }
+    }
+}
+
+
+TEST_CASE("friction: laws of pairs of types and of patches", "[contact][friction]")
+{
+    PtrList<clumpType> types(3);
+    const wordList names({"glass", "steel", "wood"});
+    forAll(types, i)
+    {
+        types.set
+        (
+            i,
+            new clumpType
+            (
+                names[i],
+                dictOf
+                (
+                    "shape { type chain; nSpheres 1; sphereRadius 1e-6; } density 1000;"
+                )
+            )
+        );
+    }
+    const string law("type hertz; reducedModulus 1e5; restitution 0.5; friction 0.3; ");
+    const contactLaws laws
+    (
+        dictOf
+        (
+            law
+          + "pairs { a { types (glass steel); friction 0.1; }"
+            " b { types (wood wood); allowedOverlap 0.1; stress 10; } }"
+        ),
+        types
+    );
+    CHECK(laws(0, 0).friction() == 0.3);
+    CHECK(laws(0, 1).friction() == 0.1);
+    CHECK(laws(1, 0).friction() == 0.1);
+    CHECK(laws(1, 2).friction() == 0.3);
+    CHECK(laws(2, 2).friction() == 0.3);
+    CHECK(laws.friction() == 0.3);
+    const scalar E = 3*constant::mathematical::pi*10/Foam::pow(0.2, 1.5);
+    CHECK
+    (
+        laws(2, 2).force(1e-8, 0, 1e-6, 1e-15)
+     == Approx(E/1e5*laws(0, 1).force(1e-8, 0, 1e-6, 1e-15))
+    );
+
+    const auto walls = [&](const string& pairs)
+    {
+        return contactLaws
+        (
+            dictOf(law + "pairs { " + pairs + " }"), types, testMesh().boundaryMesh()
+        );
+    };
+    const label wall = testMesh().boundaryMesh().findPatchID("walls");
+    const contactLaws some(walls("a { types (steel); patches (\"wa.*\"); friction 0; }"));
+    CHECK(some(0, wall).friction() == 0.3);
+    CHECK(some(1, wall).friction() == 0);
+    CHECK(!walls("a { types (steel); type none; }")(1, wall).active());
+
+    // What cannot be
+    for
+    (
+        const char* pairs :
+        {
+            "a { friction 0; }", "a { types (iron); friction 0; }",
+            "a { patches (inlet); friction 0; }", "a { patches (none); }",
+            "a { patches (walls); } b { types (wood); }",
+            "a { patches (walls); frction 0; }"
+        }
+    )
+    {
+        INFO(pairs);
+        CHECK_THROWS(walls(pairs));
+    }
+    for
+    (
+        const char* pairs :
+        {
+            "a { types (glass); }", "a { types (glass steel wood); }",
+            "a { types (glass steel); patches (walls); }", "a { }",
+            "a { types (glass steel); } b { types (steel glass); }"
+        }
+    )
+    {
+        INFO(pairs);
+        CHECK_THROWS(contactLaws(dictOf(law + "pairs { " + pairs + " }"), types));
+    }
+}
+
+
+TEST_CASE("friction: a heap of four", "[contact][friction]")
+{
+    // A sphere on three others that touch each other, with a = 35.26 degrees between the
+    // lines of centres and the vertical. Balance of moments of a lower sphere: both of its
+    // frictions are f; of horizontal forces: f (1 + cos a) = N sin a. So the spheres need
+    // mu > tan(a/2) = 0.318, and the floor, with N_floor = 4/3 W and f = W/3 tan(a/2),
+    // mu > tan(a/2)/4 = 0.079
+    const scalar a = std::asin(1/std::sqrt(3.0));
+    const scalar between = std::tan(0.5*a);
+    const auto fall = [&](const scalar mu, const scalar ofFloor)
+    {
+        const scalar R = 2*radius/std::sqrt(3.0);
+        const scalar sunk = depth(4.0/3*mass*g);
+        OStringStream os;
+        os.precision(15);
+        for (label k = 0; k < 3; ++k)
+        {
+            const scalar angle = constant::mathematical::twoPi*k/3;
+            os  << "{ type ball; position ("
+                << 10e-6 + 0.9999*R*std::cos(angle) << ' ' << radius - sunk << ' '
+                << 10e-6 + 0.9999*R*std::sin(angle) << "); velocity (0 0 0); }";
+        }
+        os  << "{ type ball; position (10e-6 "
+            << radius - sunk + 2*radius*std::sqrt(2.0/3)*0.9999
+            << " 10e-6); velocity (0 0 0); }";
+        autoPtr<openCloud> cloud
+        (
+            spheres
+            (
+                os.str(), vector(0, -mass*g, 0), mu, 1e7,
+                "pairs { floor { patches (walls); friction " + Foam::name(ofFloor)
+              + "; } }"
+            )
+        );
+        after(*cloud, 60);
+        scalar top = 0;
+        for (const clumpParcel& p : *cloud)
+        {
+            top = max(top, p.position().y());
+        }
+        return returnReduce(top, maxOp<scalar>())/radius - 1;
+    };
+    const scalar high = 2*std::sqrt(2.0/3);
+    CHECK(fall(1.15*between, 0.3*between) == Approx(high).epsilon(0.03));
+    CHECK(fall(0.85*between, 0.3*between) < 0.9*high);
+    CHECK(fall(1.15*between, 0.2*between) < 0.9*high);
 }

@@ -83,7 +83,7 @@ TEST_CASE("accuracyLevel: finer is not looser in anything", "[accuracy][serial]"
         {
             return levelFile(levels[level], "controlDict").get<scalar>(key);
         };
-        for (const char* key : {"maxCo", "maxDisplacement", "maxDeltaT"})
+        for (const char* key : {"maxCo", "maxDisplacement", "maxViscousNumber"})
         {
             INFO(levels[i] << ' ' << key);
             CHECK(limit(i, key) >= limit(i + 1, key));

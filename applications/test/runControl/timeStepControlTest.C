@@ -72,6 +72,7 @@ TEST_CASE("timeStepControl: every limit alone", "[timeStep][serial]")
     CHECK(next(wide, 0, 0, 1e4) == Approx(0.5));
     CHECK(next(wide, 0, 0, 0, 2) == Approx(0.5));
     CHECK(next(wide + "maxDeltaT 5e-5;", 0, 0) == Approx(0.5));
+    CHECK(next(wide + "maxViscousNumber 6;", 0, 12) == Approx(0.5));
 }
 
 TEST_CASE("timeStepControl: the tightest limit counts", "[timeStep][serial]")

@@ -30,15 +30,15 @@ void Foam::deformableCloud::refuseIdleEffects() const
                 << idle.c_str() << exit(FatalIOError);
         }
     }
-    for (const char* entry : {"contactModel", "wallContactModel"})
+    if
+    (
+        max(contacts_.laws().friction(), walls_.laws().friction()) > 0
+     && !integrator_->implicit()
+    )
     {
-        const dictionary& law = getDict(dict_, entry);
-        if (law.getOrDefault<scalar>("friction", 0) > 0 && !integrator_->implicit())
-        {
-            FatalIOErrorInFunction(law)
-                << "Entry 'friction' needs an implicit integrator. Valid here:"
-                << " implicitEuler" << exit(FatalIOError);
-        }
+        FatalIOErrorInFunction(getDict(dict_, "integrator"))
+            << "Entry 'friction' of a contact model needs an implicit integrator. Valid"
+            << " here: implicitEuler" << exit(FatalIOError);
     }
     if
     (

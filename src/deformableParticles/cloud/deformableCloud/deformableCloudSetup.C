@@ -72,32 +72,6 @@ vector gravityOf(const fvMesh& mesh)
 }
 
 
-//- The law of a contact model that the case does not choose: an overlap of 5 % of a
-//  radius under the stress of the densest suspension of red cells at 500 1/s (see
-//  hertz), or under the weight of a pile as high as the mesh if that is larger
-dictionary usualContact(const fvMesh& mesh, const dictionary& dict)
-{
-    const anyNumber overflow;
-    scalar density = 0;
-    for (const entry& e : dict.subOrEmptyDict("types"))
-    {
-        if (e.isDict())
-        {
-            density = max(density, e.dict().getOrDefault<scalar>("density", 0));
-        }
-    }
-    const scalar weight =
-        density*(cmptMag(gravityOf(mesh)) & mesh.bounds().span());
-
-    dictionary law;
-    law.set("type", "hertz");
-    law.set("allowedOverlap", 0.05);
-    law.set("stress", min(max(weight, scalar(60)), largestEntry));
-    law.set("restitution", 0.5);
-    return law;
-}
-
-
 //- The models of a case that does not choose others
 dictionary accurateModels()
 {
@@ -171,15 +145,6 @@ dictionary presentEntries(const fvMesh& mesh, const dictionary& dict)
         result.set("types", sizeClasses::expanded(result.subDict("types")));
     }
     complete(result, accurateModels());
-    for (const word family : {"contactModel", "wallContactModel"})
-    {
-        if (!result.found(family))
-        {
-            result.add(family, usualContact(mesh, dict));
-            Info<< family << ": hertz, with an overlap of 5 % of a radius under "
-                << result.subDict(family).get<scalar>("stress") << " Pa" << endl;
-        }
-    }
     return result;
 }
 
@@ -205,11 +170,11 @@ Foam::deformableCloud::deformableCloud
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
     dict_(presentEntries(mesh, dict)),
-    g_(Zero),
+    g_(gravityOf(mesh)),
     effects_(dict_),
     ghosts_(mesh),
     integrator_(selectModel<integrator>(getDict(dict_, "integrator"))),
-    contacts_(types_, dict_),
+    contacts_(readModels(), dict_),
     walls_(mesh, types_, dict_),
     gaps_(dict_),
     contacting_(mesh, types_, bonds_, contacts_, walls_, gaps_),
@@ -217,10 +182,7 @@ Foam::deformableCloud::deformableCloud
     openPatches_(mesh, dict_),
     count_(mesh, types_, name)
 {
-    effects_.decide(dict_, mesh);
-    readTypes();
     readLoads();
-    readGravity();
     refuseIdleEffects();
 
     if (effects_.active("fluid"))
@@ -244,6 +206,7 @@ Foam::deformableCloud::deformableCloud
             << " flow, there are only clumps of spheres." << exit(FatalIOError);
     }
 
+    reportScales();
     const bool restarts = returnReduce(size(), sumOp<label>()) > 0;
     if (restarts)
     {
@@ -334,12 +297,6 @@ Foam::word Foam::deformableCloud::findName
         functionObject::postProcess
       ? dict.getOrDefault<word>("cloud", "clumps")
       : find(mesh, dict).name();
-}
-
-
-void Foam::deformableCloud::readGravity()
-{
-    g_ = gravityOf(mesh_);
 }
 
 

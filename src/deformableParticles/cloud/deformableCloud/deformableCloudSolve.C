@@ -307,6 +307,10 @@ void Foam::deformableCloud::findContacts(const scalar dt, const scalar slack)
     {
         gaps_.setViscosity(coupling_->viscosity());
     }
+    if (atWalls)
+    {
+        walls_.updateMotions(ghosts_);
+    }
 
     // In further outer correctors the clumps are still where the step began
     if (contacting_.resume(dt, slack, betweenClumps, atWalls))

@@ -13,7 +13,7 @@ Foam::clumpContacts::clumpContacts
 )
 :
     types_(types),
-    law_(selectModel<contactModel>(getDict(clumpProperties, "contactModel")))
+    laws_(getDict(clumpProperties, "contactModel"), types)
 {}
 
 

@@ -26,15 +26,9 @@ Foam::contactStep::contactStep
     dt_(0),
     slack_(0),
     range_(0),
-    rubs_(contacts.law().friction() > 0 || walls.law().friction() > 0)
+    rubs_(contacts.laws().friction() > 0 || walls.laws().friction() > 0)
 {
     forget();
-}
-
-
-const Foam::contactModel& Foam::contactStep::law(const touch& t) const
-{
-    return t.b < 0 ? walls_.law() : contacts_.law();
 }
 
 

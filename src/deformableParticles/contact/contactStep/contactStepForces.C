@@ -125,7 +125,7 @@ void Foam::contactStep::evaluate(touch& t) const
     t.w = {0, 0, 0};
     if (t.touches && t.d > 0)
     {
-        t.w = law(t).step
+        t.w = t.law->step
         (
             t.ratio*t.d, t.ratio*t.first, t.ratio*dt_, t.R, t.m
         );

@@ -46,7 +46,7 @@ void Foam::contactStep::setPressed(touch& t) const
     t.pressed = t.pressing;
     t.slipNormal = t.n;
     t.slipLength =
-        1e-3*law(t).friction()*t.pressed*sqr(dt_)/max(t.m, VSMALL);
+        1e-3*friction(t)*t.pressed*sqr(dt_)/max(t.m, VSMALL);
 
     // The place of contact is in the middle of the overlap, at the wall in its plane
     const scalar radius = type(t.a).radii()[t.i];
@@ -83,11 +83,15 @@ void Foam::contactStep::setPressed()
 Foam::vector Foam::contactStep::slip(const touch& t) const
 {
     const vector& n = t.slipNormal;
-    const vector dx(displacement(t));
+    vector dx(displacement(t));
     vector turned(t.arm*turned_[t.a][t.i]);
     if (t.b >= 0)
     {
         turned += t.otherArm*turned_[t.slot][t.j];
+    }
+    else
+    {
+        dx -= dt_*walls_.velocity(t.patch, t.place);
     }
     return dx - (n & dx)*n + (n ^ turned);
 }
@@ -99,7 +103,7 @@ void Foam::contactStep::evaluateFriction(touch& t) const
     t.slipEnergy = 0;
     if (rubs_ && t.pressed > 0)
     {
-        const scalar limit = law(t).friction()*t.pressed;
+        const scalar limit = friction(t)*t.pressed;
         const vector s(slip(t));
         const scalar root = Foam::sqrt(magSqr(s) + sqr(t.slipLength));
         t.slipEnergy = limit*(root - t.slipLength);
@@ -117,7 +121,7 @@ Foam::symmTensor Foam::contactStep::slipStiffness(const touch& t) const
     const vector s(slip(t));
     const scalar root2 = magSqr(s) + sqr(t.slipLength);
     return
-        law(t).friction()*t.pressed/Foam::sqrt(root2)
+        friction(t)*t.pressed/Foam::sqrt(root2)
        *(symmTensor::I - sqr(t.slipNormal) - sqr(s)/root2);
 }
 

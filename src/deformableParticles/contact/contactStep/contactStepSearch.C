@@ -298,6 +298,7 @@ void Foam::contactStep::findPairs()
                     touch t = touch();
                     t.touches = true;
                     t.reaches = range_ > 0;
+                    t.law = &contacts_.laws()(A.typeId, B.typeId);
                     t.a = a;
                     t.i = i;
                     t.b = b;
@@ -340,8 +341,9 @@ void Foam::contactStep::findPlanes(const label a)
             const scalar d = c.overlap - reach;
             if (d + slack_ + max(-(path & c.normal), 0.0) > 0)
             {
-                touch t(ofWall(a, i, c.normal, d));
+                touch t(ofWall(a, i, x[i], c, d));
                 t.touches = true;
+                t.law = &walls_.laws()(p.typeId(), c.patch);
                 t.share = c.share;
                 touches_.append(t);
             }
@@ -358,6 +360,7 @@ void Foam::contactStep::findFilms(const label a)
     }
     const clumpParcel& p = clumps_[a];
     const scalarField& r = type(a).radii();
+    const pointField x(p.centres());
     const scalar range = gaps_.range(cellWidths_[a]);
     const scalar reach = range + span_*max(mag(p.state().u)) + slack_;
 
@@ -365,11 +368,11 @@ void Foam::contactStep::findFilms(const label a)
     (
         const auto& c : contactShares::filmsOfWalls
         (
-            walls_.surface(), wallsNear_[a], p.centres(), r, range, reach
+            walls_.surface(), wallsNear_[a], x, r, range, reach
         )
     )
     {
-        touch t(ofWall(a, c.i, c.wall.normal, c.wall.overlap - reach));
+        touch t(ofWall(a, c.i, x[c.i], c.wall, c.wall.overlap - reach));
         t.reaches = true;
         t.gapR = gapModel::radii(r[c.i], c.curvature);
         t.bend = bendOf(c.curvature, t.n, r[c.i] - t.d, r[c.i]);
@@ -411,11 +414,15 @@ Foam::contactStep::touch Foam::contactStep::ofWall
 (
     const label a,
     const label i,
-    const vector& n,
+    const point& x,
+    const wallSurface::contact& plane,
     const scalar d
 ) const
 {
+    const vector& n = plane.normal;
     touch t = touch();
+    t.patch = plane.patch;
+    t.place = x - (type(a).radii()[i] - d)*n;
     t.a = a;
     t.i = i;
     t.b = -1;

@@ -101,8 +101,9 @@ void Foam::contactStep::shareWalls
       : contactShares::ofWalls(walls_.surface(), wallsNear_[a], x, r)
     )
     {
-        touch t(ofWall(a, c.i, c.wall.normal, c.wall.overlap));
+        touch t(ofWall(a, c.i, x[c.i], c.wall, c.wall.overlap));
         t.touches = true;
+        t.law = &walls_.laws()(p.typeId(), c.wall.patch);
         t.radii = t.d + fromWall(t, moved_[a][c.i]);
         t.first = t.radii;
         t.share = c.share;

@@ -5,6 +5,8 @@
 
 #include "wallContacts.H"
 #include "StringStream.H"
+#include "volFields.H"
+#include "wallPolyPatch.H"
 
 Foam::wallContacts::wallContacts
 (
@@ -15,12 +17,9 @@ Foam::wallContacts::wallContacts
 :
     mesh_(mesh),
     types_(types),
-    law_
+    laws_
     (
-        selectModel<contactModel>
-        (
-            getDict(clumpProperties, "wallContactModel")
-        )
+        getDict(clumpProperties, "wallContactModel"), types, mesh.boundaryMesh()
     ),
     neighbourhood_(-1),
     gap_(GREAT),
@@ -41,6 +40,47 @@ void Foam::wallContacts::update(const ghostExchange& ghosts)
     if (!walls_.valid())
     {
         walls_.reset(new wallSurface(mesh_, ghosts));
+    }
+}
+
+
+void Foam::wallContacts::updateMotions(const ghostExchange& ghosts)
+{
+    const auto* U = mesh_.findObject<volVectorField>("U");
+    if (laws_.friction() <= 0 || !U)
+    {
+        return;
+    }
+    motions_.setSize(mesh_.boundaryMesh().size());
+    forAll(U->boundaryField(), patchi)
+    {
+        if (!isA<wallPolyPatch>(mesh_.boundaryMesh()[patchi]))
+        {
+            continue;
+        }
+        bool rubs = false;
+        forAll(types_, typei)
+        {
+            rubs = rubs || laws_(typei, patchi).friction() > 0;
+        }
+        if (!rubs)
+        {
+            continue;
+        }
+        motions_[patchi] = wallMotion(U->boundaryField()[patchi]);
+        const vector& w = motions_[patchi].w();
+        for (const vector& shift : ghosts.shifts())
+        {
+            if (mag(w ^ shift) > 1e-6*mag(w)*mag(shift))
+            {
+                FatalErrorInFunction
+                    << "The wall patch " << mesh_.boundaryMesh()[patchi].name()
+                    << " turns about the direction " << w/mag(w) << " in a mesh with the"
+                    << " period " << shift << ": its images would not move as it does."
+                    << " Friction needs walls that turn about a periodic direction,"
+                    << " or no periodic patches." << exit(FatalError);
+            }
+        }
     }
 }
 
@@ -112,6 +152,6 @@ Foam::string Foam::wallContacts::gap() const
     // Two digits are enough for the log
     OStringStream os;
     os.precision(2);
-    os << "the nearest wall is " << 1e6*gap_ << " um away";
+    os << "the nearest wall is " << gap_ << " m away";
     return os.str();
 }

@@ -19,15 +19,18 @@ Foam::wallSurface::wallSurface
 :
     centred_(true)
 {
+    // Patches that are not those of processors have the same index everywhere
     DynamicList<face> walls;
+    DynamicList<label> patches;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<wallPolyPatch>(pp))
         {
             walls.append(pp);
+            patches.append(labelList(pp.size(), pp.index()));
         }
     }
-    collect(walls, mesh.points(), ghosts);
+    collect(walls, mesh.points(), patches, ghosts);
 }
 
 
@@ -40,7 +43,7 @@ Foam::wallSurface::wallSurface
 :
     centred_(true)
 {
-    collect(faces, points, ghosts);
+    collect(faces, points, labelList(faces.size(), Zero), ghosts);
 }
 
 
@@ -48,19 +51,22 @@ void Foam::wallSurface::collect
 (
     const UList<face>& faces,
     const UList<point>& points,
+    const UList<label>& patches,
     const ghostExchange& ghosts
 )
 {
     // Triangles as three points each
     DynamicList<point> corners;
+    DynamicList<label> patchOf;
 
-    for (const face& f : faces)
+    forAll(faces, facei)
     {
-        corners.append(faceTriangles(f, points));
+        corners.append(faceTriangles(faces[facei], points));
+        patchOf.append(labelList(faces[facei].size(), patches[facei]));
     }
 
     // What a clump on another processor, or behind a periodic boundary, may feel
-    const auto around = [&](const label proci)
+    const auto around = [&](const label proci, DynamicList<label>& ofPatch)
     {
         DynamicList<point> found;
         const scalar width = 20*ghosts.reach();
@@ -84,6 +90,7 @@ void Foam::wallSurface::collect
                     found.append(a);
                     found.append(b);
                     found.append(c);
+                    ofPatch.append(patchOf[t/3]);
                 }
             }
         }
@@ -94,17 +101,22 @@ void Foam::wallSurface::collect
     for (const label proci : ghosts.neighbours())
     {
         UOPstream os(proci, buffers);
-        os << List<point>(around(proci));
+        DynamicList<label> ofPatch;
+        os << List<point>(around(proci, ofPatch));
+        os << labelList(ofPatch);
     }
     buffers.finishedSends();
-    corners.append(around(Pstream::myProcNo()));
+    DynamicList<label> ofImages;
+    corners.append(around(Pstream::myProcNo(), ofImages));
+    patchOf.append(ofImages);
     for (const label proci : ghosts.neighbours())
     {
         UIPstream is(proci, buffers);
         corners.append(List<point>(is));
+        patchOf.append(labelList(is));
     }
 
-    makeSearch(corners);
+    makeSearch(corners, patchOf);
 }
 
 
@@ -112,11 +124,15 @@ Foam::wallSurface::wallSurface(const UList<point>& corners)
 :
     centred_(false)
 {
-    makeSearch(corners);
+    makeSearch(corners, labelList(corners.size()/3, Zero));
 }
 
 
-void Foam::wallSurface::makeSearch(const UList<point>& corners)
+void Foam::wallSurface::makeSearch
+(
+    const UList<point>& corners,
+    const UList<label>& patches
+)
 {
     if (corners.empty())
     {
@@ -144,7 +160,7 @@ void Foam::wallSurface::makeSearch(const UList<point>& corners)
     {
         triangles[t] = labelledTri
         (
-            pointMap[3*t], pointMap[3*t + 1], pointMap[3*t + 2], 0
+            pointMap[3*t], pointMap[3*t + 1], pointMap[3*t + 2], patches[t]
         );
     }
     invertManyToMany(nPoints, triangles, pointTriangles_);

@@ -212,14 +212,15 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
             }
         }
 
-        // The pieces of one plane are one contact
-        const contact c{-f.out, radius - f.height, share};
+        // The pieces of one plane of a patch are one contact
+        const contact c{-f.out, radius - f.height, share, patch(f.triangle)};
         bool known = false;
         for (contact& other : planes)
         {
             if
             (
-                mag(other.normal - c.normal) < 1e-6
+                other.patch == c.patch
+             && mag(other.normal - c.normal) < 1e-6
              && mag(other.overlap - c.overlap) < 1e-6*radius
             )
             {

@@ -262,7 +262,7 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
             result.append
             (
                 {
-                    {away, limit - first.distance, share},
+                    {away, limit - first.distance, share, 0},
                     curvature(first.triangle, first.nearest, 0.5*radius)
                 }
             );

@@ -66,6 +66,21 @@ void Foam::wallMobility::solve(const volScalarField& nu)
 }
 
 
+Foam::scalar Foam::wallMobility::roundedStep(const volScalarField& nu)
+{
+    const Time& time = nu.time();
+    const scalar dt = time.deltaTValue();
+    if (!time.controlDict().getOrDefault("adjustTimeStep", false))
+    {
+        return dt;
+    }
+    // Of a number without a unit, the same in any units
+    const scalar L = Foam::cbrt(gSum(nu.mesh().V()));
+    const scalar x = Foam::log(dt*gMax(nu.primitiveField())/sqr(L));
+    return dt*Foam::exp(0.05*std::round(x/0.05) - x);
+}
+
+
 Foam::tmp<Foam::volScalarField> Foam::wallMobility::resistance
 (
     const volScalarField& nu
@@ -73,10 +88,8 @@ Foam::tmp<Foam::volScalarField> Foam::wallMobility::resistance
 {
     const fvMesh& mesh = nu.mesh();
     const Time& time = mesh.time();
-    const scalar dt = time.deltaTValue();
-    const scalar unit = pow(10.0, floor(log10(dt)) - 1);
-    const scalar rounded = unit*round(dt/unit);
     const scalarField& V = mesh.V();
+    const scalar rounded = roundedStep(nu);
     if
     (
         !mobility_.valid() || rounded != deltaT_

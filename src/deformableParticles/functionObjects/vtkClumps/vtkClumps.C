@@ -180,6 +180,24 @@ Foam::functionObjects::vtkClumps::vtkClumps
     loaded_(false)
 {
     read(dict);
+
+    // Nothing is written before the first step: other input may be wrong
+    if (!functionObject::postProcess && time_.timeIndex() == 0)
+    {
+        gather(mesh_.lookupObject<deformableCloud>(cloudName_), start_);
+        start_.time = time_.value();
+    }
+}
+
+
+bool Foam::functionObjects::vtkClumps::execute()
+{
+    if (start_.time < GREAT && time_.timeIndex() > 0)
+    {
+        write(start_);
+        start_ = frame();
+    }
+    return true;
 }
 
 
@@ -204,10 +222,12 @@ bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::vtkClumps::write()
+void Foam::functionObjects::vtkClumps::gather
+(
+    const deformableCloud& cloud,
+    frame& all
+) const
 {
-    const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
-
     DynamicList<point> centres;
     DynamicList<scalar> radii, clumps, numbers, types;
     DynamicList<vector> velocities, forces;
@@ -240,27 +260,44 @@ bool Foam::functionObjects::vtkClumps::write()
         }
     }
 
-    const List<point> allCentres(gathered(centres));
-    const List<scalar> allRadii(gathered(radii));
-    const List<scalar> allClumps(gathered(clumps));
-    const List<scalar> allNumbers(gathered(numbers));
-    const List<scalar> allTypes(gathered(types));
-    const List<vector> allVelocities(gathered(velocities));
-    const List<vector> allForces(gathered(forces));
-    const List<point> allEnds(gathered(ends));
-    const List<scalar> allTension(gathered(tension));
-    const List<scalar> allBondClumps(gathered(bondClumps));
+    all.index = time_.timeIndex();
+    all.time = time_.value();
+    all.centres = gathered(centres);
+    all.radii = gathered(radii);
+    all.clumps = gathered(clumps);
+    all.numbers = gathered(numbers);
+    all.types = gathered(types);
+    all.velocities = gathered(velocities);
+    all.forces = gathered(forces);
+    all.ends = gathered(ends);
+    all.tension = gathered(tension);
+    all.bondClumps = gathered(bondClumps);
+}
 
+
+bool Foam::functionObjects::vtkClumps::write()
+{
+    const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
+    frame all;
+    gather(cloud, all);
     writeMembranes(cloud);
+    write(all);
+    return true;
+}
+
+
+void Foam::functionObjects::vtkClumps::write(const frame& all)
+{
     if (!Pstream::master())
     {
-        return true;
+        return;
     }
 
+    const auto& types = mesh_.lookupObject<deformableCloud>(cloudName_).types();
     const fileName dir(time_.globalPath()/"VTK"/cloudName_);
     mkDir(dir);
     load(dir);
-    const word step("_" + Foam::name(time_.timeIndex()) + ".vtp");
+    const word step("_" + Foam::name(all.index) + ".vtp");
 
     {
         const fileName file(dir/"spheres" + step);
@@ -270,19 +307,19 @@ bool Foam::functionObjects::vtkClumps::write()
             vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
         );
         format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
-        writeTypeNames(*format, cloud.types());
-        beginPiece(*format, allCentres, allCentres.size(), 0);
+        writeTypeNames(*format, types);
+        beginPiece(*format, all.centres, all.centres.size(), 0);
         format->beginPointData();
-        writeField(*format, "radius", allRadii);
-        writeField(*format, "clump", allClumps);
-        writeField(*format, "sphere", allNumbers);
-        writeField(*format, "type", allTypes);
-        writeField(*format, "U", allVelocities);
-        writeField(*format, "fluidForce", allForces);
+        writeField(*format, "radius", all.radii);
+        writeField(*format, "clump", all.clumps);
+        writeField(*format, "sphere", all.numbers);
+        writeField(*format, "type", all.types);
+        writeField(*format, "U", all.velocities);
+        writeField(*format, "fluidForce", all.forces);
         format->endPointData();
         endPiece(*format);
         refuseUnwritten(os, file);
-        spheres_.append(time_.value(), file.name());
+        spheres_.append(all.time, file.name());
         spheres_.sort();
         spheres_.write(dir/"spheres.vtp");
     }
@@ -294,19 +331,17 @@ bool Foam::functionObjects::vtkClumps::write()
             vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
         );
         format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
-        beginPiece(*format, allEnds, 0, allEnds.size()/2);
+        beginPiece(*format, all.ends, 0, all.ends.size()/2);
         format->beginCellData();
-        writeField(*format, "axialForce", allTension);
-        writeField(*format, "clump", allBondClumps);
+        writeField(*format, "axialForce", all.tension);
+        writeField(*format, "clump", all.bondClumps);
         format->endCellData();
         endPiece(*format);
         refuseUnwritten(os, file);
-        bonds_.append(time_.value(), file.name());
+        bonds_.append(all.time, file.name());
         bonds_.sort();
         bonds_.write(dir/"bonds.vtp");
     }
-
-    return true;
 }
 
 

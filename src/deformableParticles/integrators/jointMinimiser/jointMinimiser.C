@@ -104,7 +104,8 @@ void Foam::jointMinimiser::updateTangent(const label m)
             largest = max(largest, mag(contacts[i]));
             change = max(change, mag(contacts[i] - contacts_[m][i]));
         }
-        stale = change > 0.01*largest;
+        // What friction adds for rotations is in the tangent alone
+        stale = change > (group_.turns() ? 1e-6 : 0.01)*largest;
     }
     if (stale)
     {

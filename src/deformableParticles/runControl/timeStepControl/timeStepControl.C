@@ -19,6 +19,7 @@ void Foam::timeStepControl::read()
     maxCo_ = getPositiveOrDefault(dict, "maxCo", 1);
     maxDisplacement_ = getPositiveOrDefault(dict, "maxDisplacement", 0.25);
     maxDeltaT_ = getPositiveOrDefault(dict, "maxDeltaT", GREAT);
+    maxViscousNumber_ = getPositiveOrDefault(dict, "maxViscousNumber", GREAT);
 }
 
 
@@ -84,7 +85,10 @@ Foam::timeStepControl::timeStepControl(Time& runTime)
     refuseMisspelt
     (
         runTime_.controlDict(),
-        {"deltaT", "adjustTimeStep", "maxCo", "maxDisplacement", "maxDeltaT"}
+        {
+            "deltaT", "adjustTimeStep", "maxCo", "maxDisplacement", "maxDeltaT",
+            "maxViscousNumber"
+        }
     );
     read();
 
@@ -168,7 +172,7 @@ void Foam::timeStepControl::adjust
 
         scalar used = dt*displacementRate/maxDisplacement_;
         used = max(used, CourantNumber_/maxCo_);
-        used = max(used, viscousNumber_/viscousLimit_);
+        used = max(used, viscousNumber_/min(viscousLimit_, maxViscousNumber_));
         used = max(used, dt/releaseStep);
         used = max(used, shortening);
         used = max(used, SMALL);

@@ -19,7 +19,7 @@ namespace gapModels
 Foam::gapModels::squeezeFilm::squeezeFilm(const dictionary& dict)
 :
     cutOff_(getPositiveOrDefault(dict, "cutOff", 0.6)),
-    roughness_(getPositiveOrDefault(dict, "roughness", 2e-8))
+    roughness_(dict.found("roughness") ? getPositive(dict, "roughness") : 0)
 {
     checkEntries(dict, {"type", "cutOff", "roughness"});
 }
@@ -51,8 +51,14 @@ Foam::scalar Foam::gapModels::squeezeFilm::resistance
 ) const
 {
     const scalar limit = range(between.cellWidth);
-    const scalar g = min(max(gap, roughness_), limit);
+    const scalar g = min(max(gap, roughness(R)), limit);
     return factor(R, between)*(1/g - 1/limit);
+}
+
+
+Foam::scalar Foam::gapModels::squeezeFilm::roughness(const radii& R) const
+{
+    return roughness_ > 0 ? roughness_ : 0.02*Foam::sqrt(R.first*R.second);
 }
 
 
@@ -79,7 +85,7 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
 ) const
 {
     const scalar limit = range(between.cellWidth);
-    const scalar rough = min(roughness_, limit);
+    const scalar rough = min(roughness(R), limit);
     const scalar K = factor(R, between);
 
     // Integrals of c and of (C - C(start)), piece by piece from start to gap

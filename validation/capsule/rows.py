@@ -5,7 +5,8 @@ from math import degrees, pi
 
 from clumpTables import table
 
-case, cells, step, subdivisions, kernel, shear, R, seconds = sys.argv[1:]
+(case, cells, step, subdivisions, kernel, ratio, length, height, shear, R,
+ seconds) = sys.argv[1:]
 with open(f"{case}/log.rbcIbFoam") as file:
     correctors = [int(n) for n in re.findall(r"^Outer correctors: (\d+)", file.read(), re.M)]
 mean = sum(correctors)/max(len(correctors), 1)
@@ -14,7 +15,8 @@ radius = float(R)
 for row in table(case, "clumpShape"):
     t = row["time"]*float(shear)
     if abs(t/0.2 - round(t/0.2)) < 1e-6:
-        print(f"{cells},{step},{subdivisions},{kernel},{round(t, 6):g},"
+        print(f"{cells},{step},{subdivisions},{kernel},{ratio},"
+              f"{length},{height},{round(t, 6):g},"
               f"{row['TaylorDeformation']:.5f},{degrees(row['inclination']):.3f},"
               f"{row['volume']/(4/3*pi*radius**3):.10f},{row['area']/(4*pi*radius**2):.5f},"
               f"{mean:.2f},{seconds}")

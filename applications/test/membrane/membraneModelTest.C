@@ -350,6 +350,90 @@ TEST_CASE("membrane: uniaxial and biaxial stretching", "[membrane][serial]")
 }
 
 
+TEST_CASE("membrane: viscous forces are the gradient of their potential", "[membrane][serial]")
+{
+    const membrane m("a { type surfaceViscosity; viscosity 2; }");
+    Random random(17);
+    const pointField x(deformed(m.type, 0.1, random));
+    vectorField u(x.size());
+    for (vector& v : u)
+    {
+        v = randomVector(random);
+    }
+    const membraneModel::motion start{x - 0.05*u, 0.05};
+    const auto potential = [&](const pointField& y, membraneTangent* tangent = nullptr)
+    {
+        vectorField unused(y.size(), Zero);
+        return m.mechanics.add(y, unused, tangent, &start);
+    };
+    const vectorField f(m.mechanics.forces(x, &start));
+    membraneTangent tangent(m.type.surface(), m.mechanics.rings());
+    tangent.clear(true);
+    potential(x, &tangent);
+    const scalar h = 1e-6;
+    for (label n = 0; n < 5; ++n)
+    {
+        vectorField v(x.size());
+        for (vector& e : v)
+        {
+            e = randomVector(random);
+        }
+        const scalar slope = (potential(x + h*v) - potential(x - h*v))/(2*h);
+        CHECK(-sum(f & v) == Approx(slope).epsilon(1e-6));
+
+        const vectorField change
+        (
+            (m.mechanics.forces(x - h*v, &start) - m.mechanics.forces(x + h*v, &start))
+           /(2*h)
+        );
+        const Eigen::VectorXd Hv(tangent.times(membraneTangent::asVector(v)));
+        const auto reference = membraneTangent::asVector(change);
+        CHECK((Hv - reference).norm() < 1e-6*reference.norm());
+    }
+
+    // Without force and torque on the whole, against the motion, and of the first order
+    // in its speed; none at rest or in a rigid motion
+    vector torque(Zero);
+    forAll(x, i)
+    {
+        torque += x[i] ^ f[i];
+    }
+    CHECK(mag(sum(f)) < 1e-12*sum(mag(f)));
+    CHECK(mag(torque) < 1e-12*sum(mag(f)));
+    const membraneModel::motion slow{x - 1e-6*u, 1e-6};
+    const membraneModel::motion slower{x - 0.5e-6*u, 1e-6};
+    const vectorField ofSlow(m.mechanics.forces(x, &slow));
+    CHECK(sum(ofSlow & u) < 0);
+    CHECK
+    (
+        max(mag(ofSlow - 2*m.mechanics.forces(x, &slower))) < 1e-4*max(mag(ofSlow))
+    );
+    CHECK(max(mag(m.mechanics.forces(x))) == 0);
+    const tensor R(randomRotation(random).R());
+    const membraneModel::motion rigid{(R & x) + vector(1, 2, 3), 0.1};
+    CHECK(max(mag(m.mechanics.forces(x, &rigid))) < 1e-12*max(mag(f)));
+}
+
+
+TEST_CASE("membrane: viscosity resists shear in the plane, not a change of area",
+    "[membrane][serial]")
+{
+    const membrane any("a { type neoHookean; shearModulus 1; }");
+    const auto model = selectModel<membraneModel>
+    (
+        dictOf("type surfaceViscosity; viscosity 3;"),
+        any.type.surface(), any.type.centres()
+    );
+    const auto& law = dynamic_cast<const triangleElasticity&>(*model);
+
+    // The potential is half of the power times the duration: eta (d:d - tr(d)^2/2)
+    const scalar e = 1e-4;
+    CHECK(stretched(law, 1 + e, 1 - e).W == Approx(3*2*sqr(e)).epsilon(1e-3));
+    CHECK(stretched(law, 1 + e, 1).W == Approx(3*0.5*sqr(e)).epsilon(1e-3));
+    CHECK(mag(stretched(law, 1 + e, 1 + e).W) < 1e-3*3*sqr(e));
+}
+
+
 TEST_CASE("membrane: bending energy of spheres and cells", "[membrane][bending][serial]")
 {
     // 8 pi kappa for every sphere; second order

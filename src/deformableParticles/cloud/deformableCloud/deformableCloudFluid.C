@@ -24,6 +24,7 @@ void Foam::deformableCloud::immerse
         lookAhead();
     }
     updateGhosts();
+    beginContacts(moving);
 
     const timeBreakdown::timer t(timing_, "solid fraction");
     coupling_->boundary().update(ghosts_.images(), nu);

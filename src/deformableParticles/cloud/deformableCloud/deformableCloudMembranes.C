@@ -20,6 +20,62 @@ void Foam::deformableCloud::setNodeForces
 }
 
 
+void Foam::deformableCloud::checkMembranes() const
+{
+    if (surfaceImmersion::wanted(types_) && membranesTouch())
+    {
+        membraneContacts_.refuseSmallSpheres(getDict(dict_, "types"));
+    }
+}
+
+
+bool Foam::deformableCloud::membranesTouch() const
+{
+    return contacts_.active() && !effects_.switchedOff("contact");
+}
+
+
+const Foam::wallSurface* Foam::deformableCloud::wallsOfMembranes() const
+{
+    return
+        walls_.active() && !effects_.switchedOff("walls")
+      ? &walls_.surface() : nullptr;
+}
+
+
+void Foam::deformableCloud::beginContacts(const bool moving)
+{
+    if (!coupling_->surfaces())
+    {
+        return;
+    }
+    if (!moving)
+    {
+        membraneContacts_.clear();
+        return;
+    }
+    if (walls_.active() && !effects_.switchedOff("walls"))
+    {
+        walls_.update(ghosts_);
+    }
+    scalar width = GREAT;
+    for (const clumpParcel& p : *this)
+    {
+        if (type(p).hasSurface())
+        {
+            width = min(width, Foam::cbrt(mesh_.V()[p.cell()]));
+        }
+    }
+    membraneContacts_.begin
+    (
+        ghosts_,
+        returnReduce(width, minOp<scalar>()),
+        mesh_.time().deltaTValue(),
+        meshVelocity_
+    );
+}
+
+
 void Foam::deformableCloud::immerseMembranes()
 {
     if (!coupling_->surfaces())
@@ -54,13 +110,17 @@ void Foam::deformableCloud::imposeMembranes()
     {
         return;
     }
+    membraneContacts_.find(ghosts_, *this, membranesTouch(), wallsOfMembranes());
     label index = 0;
     for (clumpParcel& p : *this)
     {
         clumpImage& image = ghosts_.images()[index++];
         if (type(p).hasSurface())
         {
-            membranes_[p.typeId()].impose(p, mesh_.time().deltaTValue());
+            membranes_[p.typeId()].impose
+            (
+                p, mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
+            );
             image.force = p.step().nodes.force;
         }
     }
@@ -84,5 +144,47 @@ void Foam::deformableCloud::sampleMembranes(const volVectorField& U)
             nodeFlow& nodes = p.step().nodes;
             nodes.u = nodes.withoutFlux(image.sampled);
         }
+    }
+    sharpenSamples(U);
+}
+
+
+void Foam::deformableCloud::sharpenSamples(const volVectorField& U)
+{
+    const surfaceImmersion& surfaces = *coupling_->surfaces();
+    const scalar mu = coupling_->viscosity();
+    if (mu <= 0)
+    {
+        // Before the first step
+        return;
+    }
+    const bool other = coupling_->interior();
+    if (other)
+    {
+        surfaces.sampleShear(U, ghosts_);
+    }
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        const clumpImage& image = ghosts_.images()[index++];
+        if (!type(p).hasSurface())
+        {
+            continue;
+        }
+        nodeFlow& nodes = p.step().nodes;
+        const scalar ratio = type(p).viscosityRatio();
+        const vectorField n(nodes.areaVectors/mag(nodes.areaVectors));
+        vectorField kink(n.size(), Zero);
+        if (other)
+        {
+            // The part of the force follows in membraneStep
+            kink = (1 - 1/ratio)*(image.sampled - n*(n & image.sampled));
+            nodes.u -= 0.5*nodes.smoothing*kink;
+        }
+        const vectorField& F = nodes.force;
+        kink -= 0.5*(1 + 1/ratio)/mu*(F - n*(n & F))/nodes.areas;
+        nodes.u +=
+            ratio/(3 + 2*ratio)*surfaces.variances(image, nodes.areaVectors)
+           *type(p).surface().divergence(image.x, kink)*n;
     }
 }

@@ -135,7 +135,7 @@ dictionary presentEntries(const fvMesh& mesh, const dictionary& dict)
         ),
         {
             "types", "placement", "injection", "integrator", "contactModel",
-            "wallContactModel", "lubrication", "loads", "effects",
+            "wallContactModel", "lubrication", "membraneContact", "loads", "effects",
             "rotation", "couplingScheme", "immersedBoundary", "openPatches",
             "typesMayChange", "accuracyLevel", "rho"
         }
@@ -170,6 +170,7 @@ Foam::deformableCloud::deformableCloud
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
     dict_(presentEntries(mesh, dict)),
+    membraneContacts_(types_, dict_),
     g_(gravityOf(mesh)),
     effects_(dict_),
     ghosts_(mesh),
@@ -205,6 +206,7 @@ Foam::deformableCloud::deformableCloud
             << " that feels it; without a fluid, or with feedback off or a frozen"
             << " flow, there are only clumps of spheres." << exit(FatalIOError);
     }
+    checkMembranes();
 
     reportScales();
     const bool restarts = returnReduce(size(), sumOp<label>()) > 0;
@@ -331,7 +333,10 @@ void Foam::deformableCloud::readTypes()
         bonds_.set(i, new clumpBonds(types_[i], type));
         if (types_[i].hasSurface())
         {
-            membranes_.set(i, new membraneStep(types_[i], type));
+            membranes_.set
+            (
+                i, new membraneStep(types_[i], type, membraneContacts_)
+            );
         }
         typeIds_.insert(names[i], i);
     }
@@ -395,6 +400,10 @@ void Foam::deformableCloud::checkStart() const
     if (contacts_.active() && effects_.active("contact"))
     {
         contacts_.refuseOverlaps(ghosts_.images(), ghosts_.nOwn(), dict);
+    }
+    if (membranesTouch())
+    {
+        membraneContacts_.refuseOverlaps(ghosts_, dict);
     }
 
     const surfaceCrossing crossing(mesh_, types_, ghosts_, 0.01);

@@ -207,6 +207,12 @@ void Foam::deformableCloud::setSteadyForces
     {
         momentum_.addFluid(p, coupling_->interiorForces(p, dt));
     }
+    const externalForces& ofMembranes = p.step().ofMembranes;
+    if (ofMembranes.f.size())
+    {
+        ext.f += ofMembranes.f;
+        ext.k += ofMembranes.k;
+    }
 }
 
 

@@ -173,6 +173,32 @@ Foam::scalarField Foam::closedSurface::nodeAreas(const pointField& x) const
 }
 
 
+Foam::scalarField Foam::closedSurface::divergence
+(
+    const pointField& x,
+    const vectorField& v
+) const
+{
+    // The integral over the area of a triangle is that of the flux across its edges
+    scalarField integrals(nNodes_, Zero);
+    for (const triFace& t : triangles_)
+    {
+        const vector n(t.areaNormal(x)/max(mag(t.areaNormal(x)), VSMALL));
+        scalar flux = 0;
+        forAll(t, k)
+        {
+            const vector edge(x[t[t.fcIndex(k)]] - x[t[k]]);
+            flux += 0.5*(v[t[k]] + v[t[t.fcIndex(k)]]) & (edge ^ n);
+        }
+        for (const label i : t)
+        {
+            integrals[i] += flux/3;
+        }
+    }
+    return integrals/max(nodeAreas(x), VSMALL);
+}
+
+
 Foam::point Foam::closedSurface::centroid(const pointField& x) const
 {
     // Of tetrahedra with a corner in the first node

@@ -15,6 +15,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     density_(getPositive(dict, "density")),
     smoothVolume_(0),
     fixed_(false),
+    viscosityRatio_(1),
     halfWidth_(0)
 {
     const auto geometry(clumpShapes::shape::New(getDict(dict, "shape")));
@@ -45,6 +46,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     if (hasSurface())
     {
         setSurfaceMasses();
+        viscosityRatio_ = getBetweenOrDefault(dict, "viscosityRatio", 1, 0.01, 100);
     }
     else
     {
@@ -105,7 +107,7 @@ void Foam::clumpType::check(const dictionary& dict) const
         dict,
         {
             "shape", "density", "motion", "nominalVolume", "scale", "classOf",
-            "share", "membrane", "kernel"
+            "share", "viscosityRatio", "membrane", "kernel"
         }
     );
 

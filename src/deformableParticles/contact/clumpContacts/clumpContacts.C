@@ -59,6 +59,11 @@ void Foam::clumpContacts::refuseOverlaps
         {
             const clumpType& ta = types_[images[a].typeId];
             const clumpType& tb = types_[images[b].typeId];
+            if (ta.hasSurface() || tb.hasSurface())
+            {
+                // See membraneContacts
+                return;
+            }
             if
             (
                 mag(images[a].x[i] - images[b].x[j])

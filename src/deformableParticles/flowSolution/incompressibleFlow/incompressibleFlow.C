@@ -8,6 +8,7 @@
 #include "checkedEntries.H"
 #include "findRefCell.H"
 #include "fvcFlux.H"
+#include "fvcGrad.H"
 #include "fvmLaplacian.H"
 #include "initialPressure.H"
 #include "solverSettings.H"
@@ -204,6 +205,7 @@ Foam::incompressibleFlow::incompressibleFlow
 )
 :
     solved_(present && solved),
+    interior_(nullptr),
     options_(nullptr),
     pRefCell_(0),
     pRefValue_(0)
@@ -251,8 +253,46 @@ const Foam::volScalarField& Foam::incompressibleFlow::nu() const
 }
 
 
+void Foam::incompressibleFlow::setInterior(const membraneInterior* interior)
+{
+    interior_ = interior;
+    if (interior && solved_)
+    {
+        variable_.reset(new variableViscosity(*U_));
+    }
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::viscosity() const
+{
+    if (interior_)
+    {
+        return interior_->factor()*nu();
+    }
+    return nu();
+}
+
+
+void Foam::incompressibleFlow::solveMomentum(fvVectorMatrix& UEqn)
+{
+    const volVectorField gradp(fvc::grad(*p_));
+    if (variable_.valid())
+    {
+        variable_->solve(UEqn, gradp);
+    }
+    else
+    {
+        solve(UEqn == -gradp);
+    }
+}
+
+
 Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
 {
+    if (variable_.valid())
+    {
+        return variable_->stress(nu(), *interior_);
+    }
     const bool uniform =
         turbulence_->type() == "Stokes"
      && transport_->get<word>("transportModel") == "Newtonian";

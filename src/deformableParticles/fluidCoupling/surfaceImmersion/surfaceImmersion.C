@@ -32,6 +32,10 @@ Foam::surfaceImmersion::surfaceImmersion
         );
     }
     setWidths();
+    if (membraneInterior::wanted(types))
+    {
+        interior_.reset(new membraneInterior(mesh, types));
+    }
 }
 
 
@@ -68,6 +72,10 @@ void Foam::surfaceImmersion::meshChanged()
     geometry_.update();
     setWidths();
     meetings_.clear();
+    if (interior_.valid())
+    {
+        interior_->reset();
+    }
     force_ = dimensionedVector(dimForce/dimVolume, Zero);
 }
 
@@ -150,6 +158,10 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
             m.weight *= w.a[m.node] + (w.b[m.node] & m.r);
         }
     }
+    if (interior_.valid())
+    {
+        interior_->set(images, kernels_, geometry_, widths_);
+    }
 }
 
 
@@ -160,16 +172,24 @@ Foam::scalarField Foam::surfaceImmersion::smoothing
 ) const
 {
     const surfaceKernel& K = kernels_[image.typeId];
-    scalarField l(image.x.size());
-    forAll(l, i)
+    return
+        K.meanDistance()*Foam::sqrt(variances(image, areaVectors)/K.variance());
+}
+
+
+Foam::scalarField Foam::surfaceImmersion::variances
+(
+    const clumpImage& image,
+    const vectorField& areaVectors
+) const
+{
+    scalarField result(image.x.size());
+    forAll(result, i)
     {
         const vector n(areaVectors[i]/max(mag(areaVectors[i]), VSMALL));
-        const scalar variance = n & (image.moments.covariance(i) & n);
-        l[i] =
-            K.meanDistance()
-           *Foam::sqrt(max(variance, scalar(0))/K.variance());
+        result[i] = max(n & (image.moments.covariance(i) & n), scalar(0));
     }
-    return l;
+    return result;
 }
 
 

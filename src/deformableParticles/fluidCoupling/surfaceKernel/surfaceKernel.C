@@ -22,6 +22,20 @@ Foam::surfaceKernel::surfaceKernel(const form f)
     constexpr label nPlaces = 200;
     constexpr label reach = 3;
 
+    // By the trapezoidal rule, from the middle
+    beyond_ = scalarList(nPlaces + 1, 0.5);
+    const scalar step = support()/nPlaces;
+    for (label n = 0; n < nPlaces; ++n)
+    {
+        beyond_[n + 1] =
+            beyond_[n] - 0.5*step*((*this)(n*step) + (*this)((n + 1)*step));
+    }
+    const scalar rest = beyond_.last();
+    for (scalar& b : beyond_)
+    {
+        b = 0.5*(b - rest)/(0.5 - rest);
+    }
+
     for (label n = 0; n < nPlaces; ++n)
     {
         const scalar y = (n + 0.5)/nPlaces;
@@ -42,6 +56,20 @@ Foam::surfaceKernel::surfaceKernel(const dictionary& dict)
 :
     surfaceKernel(names.getOrDefault("kernel", dict, form::threePoint))
 {}
+
+
+Foam::scalar Foam::surfaceKernel::beyond(const scalar r) const
+{
+    const label last = beyond_.size() - 1;
+    const scalar place = mag(r)/support()*last;
+    scalar result = 0;
+    if (place < last)
+    {
+        const label n = label(place);
+        result = beyond_[n] + (place - n)*(beyond_[n + 1] - beyond_[n]);
+    }
+    return r < 0 ? 1 - result : result;
+}
 
 
 Foam::scalar Foam::surfaceKernel::operator()(const scalar r) const

@@ -40,22 +40,31 @@ Foam::scalar Foam::membraneMechanics::add
 (
     const pointField& x,
     vectorField& gradient,
-    membraneTangent* tangent
+    membraneTangent* tangent,
+    const membraneModel::motion* start
 ) const
 {
     scalar energy = 0;
     for (const membraneModel& model : models_)
     {
         energy += model.add(x, gradient, tangent);
+        if (start)
+        {
+            energy += model.addRate(x, *start, gradient, tangent);
+        }
     }
     return energy;
 }
 
 
-Foam::vectorField Foam::membraneMechanics::forces(const pointField& x) const
+Foam::vectorField Foam::membraneMechanics::forces
+(
+    const pointField& x,
+    const membraneModel::motion* start
+) const
 {
     vectorField f(x.size(), Zero);
-    add(x, f);
+    add(x, f, nullptr, start);
     f.negate();
     return f;
 }

@@ -23,9 +23,15 @@ vectorField toField(const Eigen::VectorXd& v)
 }
 
 
-Foam::membraneStep::membraneStep(const clumpType& type, const dictionary& dict)
+Foam::membraneStep::membraneStep
+(
+    const clumpType& type,
+    const dictionary& dict,
+    const membraneContacts& contacts
+)
 :
     mechanics_(type, dict),
+    contacts_(contacts),
     tangent_(type.surface(), mechanics_.rings())
 {}
 
@@ -38,15 +44,53 @@ void Foam::membraneStep::meet(clumpParcel& p, const pointField& x) const
 }
 
 
-void Foam::membraneStep::impose(clumpParcel& p, const scalar dt) const
+Foam::Pair<Foam::scalar> Foam::membraneStep::partsOf
+(
+    const clumpParcel& p,
+    const scalar dt,
+    const scalar dt0
+)
+{
+    // One that starts from rest has no last step
+    const bool starts = max(mag(p.state().u)) == 0;
+    const scalar q = dt/dt0;
+    const scalar ofLast = starts ? 0 : q/(1 + 2*q);
+    return Pair<scalar>(ofLast, 1 - ofLast);
+}
+
+
+Foam::membraneModel::motion Foam::membraneStep::startOf
+(
+    const clumpParcel& p,
+    const scalar dt,
+    const scalar dt0
+) const
+{
+    const Pair<scalar> parts(partsOf(p, dt, dt0));
+    return
+    {
+        p.state().x + parts.first()*dt*p.state().u,
+        parts.second()*dt
+    };
+}
+
+
+void Foam::membraneStep::impose
+(
+    clumpParcel& p,
+    const scalar dt,
+    const scalar dt0
+) const
 {
     clumpStep& step = p.step();
     const vectorField dx(dt*step.imposedU);
-    const vectorField F
+    const membraneModel::motion start(startOf(p, dt, dt0));
+    vectorField F
     (
-        mechanics_.forces(p.state().x + dx)
+        mechanics_.forces(p.state().x + dx, &start)
       + step.forces.f - (step.forces.k & dx)
     );
+    contacts_.addForces(step.nodes.contacts, F);
     step.nodes.force = step.nodes.withoutFlux(F);
     p.fluidForces() = -step.nodes.force;
 }
@@ -97,7 +141,8 @@ Foam::scalar Foam::membraneStep::value
         }
     }
     return
-        mechanics_.add(y, gradient, tangent)
+        mechanics_.add(y, gradient, tangent, &step.start)
+      + contacts_.add(step.contacts, y - step.imposed, gradient, tangent)
       + sum(0.5*(ofFluid & strayed) + 0.5*(ofTethers & moved) - (step.ext.f & moved));
 }
 
@@ -225,26 +270,30 @@ void Foam::membraneStep::advance
     const clumpState& s = p.state();
     clumpState& end = p.step().end;
 
-    // One that starts from rest has no last step
-    const bool starts = max(mag(s.u)) == 0;
-    const scalar q = dt/dt0;
-    const scalar ofLast = starts ? 0 : q/(1 + 2*q);
-    const scalar ofFluid = 1 - ofLast;
+    const membraneModel::motion start(startOf(p, dt, dt0));
 
-    const scalarField zeta(8*mu*flow.areas/type.halfWidth());
-    const scalarField along(1/(1/zeta + flow.smoothing/(2*mu*flow.areas)));
+    // Means of the viscosities inside and outside, and of their inverses
+    const scalar ratio = type.viscosityRatio();
+    const scalar mean = 0.5*(1 + ratio)*mu;
+    const scalar harmonic = 2*mu*ratio/(1 + ratio);
+
+    const scalarField zeta(8*mean*flow.areas/type.halfWidth());
+    const scalarField along(1/(1/zeta + flow.smoothing/(2*harmonic*flow.areas)));
     const vectorField n(flow.areaVectors/mag(flow.areaVectors));
     const problem step
     {
         s.x,
-        s.x + dt*(ofLast*s.u + ofFluid*(flow.u - flow.force/zeta)),
-        (along*symmTensor(I) + (zeta - along)*sqr(n))/(ofFluid*dt),
-        p.step().forces
+        start.from + start.span*(flow.u - flow.force/zeta),
+        (along*symmTensor(I) + (zeta - along)*sqr(n))/start.span,
+        p.step().forces,
+        start,
+        flow.contacts,
+        s.x + dt*p.step().imposedU
     };
 
     // From the end of the last outer corrector, or as in the last step, unless the start
     // of the step is better
-    vectorField y(s.x + dt*p.step().imposedU);
+    vectorField y(step.imposed);
     vectorField unused(y.size());
     if (!(value(step, y, unused) < value(step, s.x, unused)))
     {

@@ -27,6 +27,18 @@ vector toFoam(const Eigen::Vector3d& v)
 }
 
 
+Foam::triangleElasticity::rest::rest(const triFace& t, const pointField& x0)
+{
+    const vector a(x0[t[1]] - x0[t[0]]);
+    const vector b(x0[t[2]] - x0[t[0]]);
+    const scalar q = magSqr(a ^ b);
+    aa = (b & b)/q;
+    ab = -(a & b)/q;
+    bb = (a & a)/q;
+    area = 0.5*Foam::sqrt(q);
+}
+
+
 Foam::triangleElasticity::triangleElasticity
 (
     const closedSurface& surface,
@@ -38,14 +50,7 @@ Foam::triangleElasticity::triangleElasticity
 {
     forAll(rest_, n)
     {
-        const triFace& t = surface.triangles()[n];
-        const vector a(x0[t[1]] - x0[t[0]]);
-        const vector b(x0[t[2]] - x0[t[0]]);
-        const scalar q = magSqr(a ^ b);
-        rest_[n] =
-        {
-            (b & b)/q, -(a & b)/q, (a & a)/q, 0.5*Foam::sqrt(q)
-        };
+        rest_[n] = rest(surface.triangles()[n], x0);
     }
 }
 
@@ -101,6 +106,62 @@ void Foam::triangleElasticity::addEdges
 }
 
 
+Foam::scalar Foam::triangleElasticity::addTriangle
+(
+    const triFace& t,
+    const rest& r,
+    const scalar factor,
+    const pointField& x,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    const Eigen::Vector3d a(toEigen(x[t[1]] - x[t[0]]));
+    const Eigen::Vector3d b(toEigen(x[t[2]] - x[t[0]]));
+    const scalar aa = a.dot(a);
+    const scalar ab = a.dot(b);
+    const scalar bb = b.dot(b);
+    const scalar q0 = 4*sqr(r.area);
+    const scalar weight = factor*r.area;
+
+    const response w
+    (
+        law
+        (
+            r.aa*aa + 2*r.ab*ab + r.bb*bb - 2,
+            (aa*bb - sqr(ab))/q0 - 1
+        )
+    );
+
+    vector6 g1, g2;
+    g1 << 2*(r.aa*a + r.ab*b), 2*(r.ab*a + r.bb*b);
+    g2 << 2/q0*(bb*a - ab*b), 2/q0*(aa*b - ab*a);
+
+    const vector6 g(weight*(w.W1*g1 + w.W2*g2));
+    gradient[t[1]] += toFoam(g.head<3>());
+    gradient[t[2]] += toFoam(g.tail<3>());
+    gradient[t[0]] -= toFoam(g.head<3>() + g.tail<3>());
+
+    if (tangent)
+    {
+        const Eigen::Matrix3d one(Eigen::Matrix3d::Identity());
+        matrix6 H1;
+        H1 <<
+            2*r.aa*one, 2*r.ab*one,
+            2*r.ab*one, 2*r.bb*one;
+        matrix6 H
+        (
+            w.W1*H1 + w.W2/q0*areaHessian(a, b)
+          + w.W11*g1*g1.transpose() + w.W22*g2*g2.transpose()
+        );
+        H += w.W12*(g1*g2.transpose() + g2*g1.transpose());
+        H *= weight;
+        addEdges(t, tangent->exact() ? H : positive(H), *tangent);
+    }
+    return weight*w.W;
+}
+
+
 Foam::scalar Foam::triangleElasticity::add
 (
     const pointField& x,
@@ -111,50 +172,10 @@ Foam::scalar Foam::triangleElasticity::add
     scalar energy = 0;
     forAll(rest_, n)
     {
-        const triFace& t = surface_.triangles()[n];
-        const rest& r = rest_[n];
-        const Eigen::Vector3d a(toEigen(x[t[1]] - x[t[0]]));
-        const Eigen::Vector3d b(toEigen(x[t[2]] - x[t[0]]));
-        const scalar aa = a.dot(a);
-        const scalar ab = a.dot(b);
-        const scalar bb = b.dot(b);
-        const scalar q0 = 4*sqr(r.area);
-
-        const response w
+        energy += addTriangle
         (
-            law
-            (
-                r.aa*aa + 2*r.ab*ab + r.bb*bb - 2,
-                (aa*bb - sqr(ab))/q0 - 1
-            )
+            surface_.triangles()[n], rest_[n], 1, x, gradient, tangent
         );
-        energy += r.area*w.W;
-
-        vector6 g1, g2;
-        g1 << 2*(r.aa*a + r.ab*b), 2*(r.ab*a + r.bb*b);
-        g2 << 2/q0*(bb*a - ab*b), 2/q0*(aa*b - ab*a);
-
-        const vector6 g(r.area*(w.W1*g1 + w.W2*g2));
-        gradient[t[1]] += toFoam(g.head<3>());
-        gradient[t[2]] += toFoam(g.tail<3>());
-        gradient[t[0]] -= toFoam(g.head<3>() + g.tail<3>());
-
-        if (tangent)
-        {
-            const Eigen::Matrix3d one(Eigen::Matrix3d::Identity());
-            matrix6 H1;
-            H1 <<
-                2*r.aa*one, 2*r.ab*one,
-                2*r.ab*one, 2*r.bb*one;
-            matrix6 H
-            (
-                w.W1*H1 + w.W2/q0*areaHessian(a, b)
-              + w.W11*g1*g1.transpose() + w.W22*g2*g2.transpose()
-            );
-            H += w.W12*(g1*g2.transpose() + g2*g1.transpose());
-            H *= r.area;
-            addEdges(t, tangent->exact() ? H : positive(H), *tangent);
-        }
     }
     return energy;
 }

@@ -1,0 +1,281 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "catch2/catch.hpp"
+#include "testCloud.H"
+#include "membraneContacts.H"
+
+using namespace Foam;
+
+namespace
+{
+
+//- Capsules and a bead at rest in the test box; the mesh cells are 1 um wide, so that
+//  contact begins at a gap of 0.5 um
+autoPtr<openCloud> scene
+(
+    const string& clumps, const string& more = "", const string& moreTypes = ""
+)
+{
+    autoPtr<openCloud> cloud
+    (
+        new openCloud
+        (
+            testMesh(),
+            dictOf
+            (
+                "types"
+                "{"
+                "    capsule"
+                "    {"
+                "        shape { type icosphere; radius 3e-6; subdivisions 2; }"
+                "        density 1000;"
+                "        membrane { a { type neoHookean; shearModulus 1e-6; } }"
+                "    }"
+                "    bead { shape { type chain; nSpheres 1; sphereRadius 2e-6; }"
+                "        density 1000; }" + moreTypes +
+                "}"
+                "placement { type list; clumps (" + clumps + "); }"
+                "effects { fluid on; }" + more
+            )
+        )
+    );
+    const volScalarField nu
+    (
+        IOobject("testNu", testTime().timeName(), testMesh()),
+        testMesh(), dimensionedScalar("nu", dimViscosity, 1.171e-6)
+    );
+    cloud->immerse(nu, true);
+    return cloud;
+}
+
+//- Force of contact on a clump and its moment about the origin, on all processors
+Pair<vector> wrench(openCloud& cloud, const label id)
+{
+    Pair<vector> result(vector::zero, vector::zero);
+    for (clumpParcel& p : cloud)
+    {
+        if (p.origId() != id)
+        {
+            continue;
+        }
+        const vectorField f
+        (
+            cloud.type(p).hasSurface()
+          ? p.step().nodes.force : p.step().ofMembranes.f
+        );
+        const pointField x(p.centres());
+        forAll(f, i)
+        {
+            result.first() += f[i];
+            result.second() += x[i] ^ f[i];
+        }
+    }
+    reduce(result.first(), sumOp<vector>());
+    reduce(result.second(), sumOp<vector>());
+    return result;
+}
+
+}
+
+
+TEST_CASE("membrane contact: forces and moments of a pair add up to zero",
+    "[membrane][parallel]")
+{
+    // Along x, and obliquely
+    const string second = GENERATE
+    (
+        string("type capsule; position (13.2e-6 10.3e-6 10.1e-6);"),
+        string("type capsule; position (11.3e-6 14.3e-6 10.1e-6);"),
+        string("type bead; position (12.2e-6 10.3e-6 10.1e-6);"),
+        string("type bead; position (10.6e-6 13.8e-6 10.1e-6);")
+    );
+    INFO(second);
+    auto cloud = scene
+    (
+        "{ type capsule; position (7e-6 10e-6 10e-6); } { " + second + " }"
+    );
+    const Pair<vector> first(wrench(*cloud, 0));
+    const Pair<vector> other(wrench(*cloud, 1));
+    CHECK(first.first().x() < 0);
+    CHECK(mag(first.first()) > 1e-13);
+    CHECK(mag(first.first() + other.first())/mag(first.first()) < 1e-10);
+    CHECK(mag(first.second() + other.second())/mag(first.second()) < 1e-9);
+}
+
+
+TEST_CASE("membrane contact: across periodic patches as elsewhere", "[membrane][parallel]")
+{
+    auto inside = scene
+    (
+        "{ type capsule; position (7e-6 10e-6 10e-6); }"
+        "{ type capsule; position (13.2e-6 10.3e-6 10.1e-6); }"
+    );
+    const vector expected(wrench(*inside, 0).first());
+    inside.clear();
+    auto across = scene
+    (
+        "{ type capsule; position (17e-6 10e-6 19e-6); }"
+        "{ type capsule; position (3.2e-6 10.3e-6 19.1e-6); }"
+    );
+    CHECK(mag(wrench(*across, 0).first() - expected) < 1e-9*mag(expected));
+    CHECK(mag(wrench(*across, 1).first() + expected) < 1e-9*mag(expected));
+}
+
+
+TEST_CASE("membrane contact: with a wall, and none beyond its range", "[membrane][parallel]")
+{
+    {
+        auto near = scene("{ type capsule; position (10e-6 3.2e-6 10e-6); }");
+        const vector f(wrench(*near, 0).first());
+        CHECK(f.y() > 0);
+        CHECK(f.y() > 10*mag(vector(f.x(), 0, f.z())));
+    }
+    auto far = scene("{ type capsule; position (10e-6 3.6e-6 10e-6); }");
+    CHECK(mag(wrench(*far, 0).first()) < 1e-25);
+}
+
+
+TEST_CASE("membrane contact: what is off does not act", "[membrane][serial]")
+{
+    auto cloud = scene
+    (
+        "{ type capsule; position (7e-6 10e-6 10e-6); }"
+        "{ type capsule; position (13.2e-6 10e-6 10e-6); }"
+        "{ type capsule; position (10e-6 3.2e-6 14e-6); }",
+        "contactModel { type none; } wallContactModel { type none; }"
+    );
+    for (label id = 0; id < 3; ++id)
+    {
+        CHECK(mag(wrench(*cloud, id).first()) < 1e-25);
+    }
+}
+
+
+TEST_CASE("membrane contact: impossible starts are refused", "[membrane][serial]")
+{
+    CHECK_THROWS
+    (
+        scene
+        (
+            "{ type capsule; position (7e-6 10e-6 10e-6); }"
+            "{ type capsule; position (12e-6 10e-6 10e-6); }"
+        )
+    );
+    CHECK_THROWS
+    (
+        scene
+        (
+            "{ type capsule; position (7e-6 10e-6 10e-6); }"
+            "{ type bead; position (11e-6 10e-6 10e-6); }"
+        )
+    );
+
+    // A bead that would pass between the nodes
+    CHECK_THROWS
+    (
+        scene
+        (
+            "{ type capsule; position (7e-6 10e-6 10e-6); }",
+            "",
+            "dust { shape { type chain; nSpheres 1; sphereRadius 2e-7; }"
+            " density 1000; }"
+        )
+    );
+}
+
+
+TEST_CASE("membrane contact: the force is the gradient of the potential",
+    "[membrane][serial]")
+{
+    PtrList<clumpType> types(1);
+    types.set
+    (
+        0,
+        new clumpType
+        (
+            "test",
+            dictOf
+            (
+                "density 1; membrane {}"
+                " shape { type icosphere; radius 1; subdivisions 1; }"
+            )
+        )
+    );
+    membraneContacts contacts
+    (
+        types, dictOf("membraneContact { range 1; stress 2; }")
+    );
+    ghostExchange ghosts(testMesh());
+    contacts.begin(ghosts, 0.1, 1, Zero);
+
+    DynamicList<nodeContact> list;
+    nodeContact c;
+    c.nodes = -1;
+    c.weights = scalar(0);
+    c.nodes[0] = 3;
+    c.weights[0] = 1;
+    c.normal = vector(0.6, 0, 0.8);
+    c.gap = 0.03;
+    c.area = 0.2;
+    c.moves = 1;
+    list.append(c);
+    const triFace& t = types[0].surface().triangles()[5];
+    for (label n = 0; n < 3; ++n)
+    {
+        c.nodes[n] = t[n];
+    }
+    c.weights[0] = -0.2;
+    c.weights[1] = -0.5;
+    c.weights[2] = -0.3;
+    c.gap = -0.01;
+    c.moves = 2;
+    list.append(c);
+
+    const label n = types[0].size();
+    const auto potential = [&](const vectorField& d)
+    {
+        vectorField unused(n, Zero);
+        return contacts.add(list, d, unused, nullptr);
+    };
+    Random random(2);
+    vectorField d(n);
+    for (vector& e : d)
+    {
+        e = 0.01*randomVector(random);
+    }
+    vectorField gradient(n, Zero);
+    membraneTangent tangent(types[0].surface(), 1);
+    tangent.clear(true);
+    contacts.add(list, d, gradient, &tangent);
+    for (label k = 0; k < 10; ++k)
+    {
+        vectorField v(n);
+        for (vector& e : v)
+        {
+            e = randomVector(random);
+        }
+        const scalar h = 1e-6;
+        const scalar slope =
+            (potential(d + h*v) - potential(d - h*v))/(2*h);
+        CHECK(sum(gradient & v) == Approx(slope).epsilon(1e-6));
+
+        vectorField up(n, Zero), down(n, Zero);
+        contacts.add(list, d + h*v, up, nullptr);
+        contacts.add(list, d - h*v, down, nullptr);
+        const vectorField change((up - down)/(2*h));
+        const Eigen::VectorXd Hv(tangent.times(membraneTangent::asVector(v)));
+        const auto reference = membraneTangent::asVector(change);
+        CHECK((Hv - reference).norm() < 1e-5*reference.norm());
+    }
+
+    // At the positions imposed, the force that the fluid is given
+    vectorField F(n, Zero);
+    contacts.addForces(list, F);
+    vectorField at(n, Zero);
+    contacts.add(list, vectorField(n, Zero), at, nullptr);
+    CHECK(max(mag(F + at)) < 1e-14);
+    CHECK(max(mag(F)) > 0.01);
+}

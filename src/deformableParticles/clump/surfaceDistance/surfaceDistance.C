@@ -1,0 +1,71 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceDistance.H"
+#include "triSurfaceTools.H"
+
+Foam::List<Foam::labelledTri> Foam::surfaceDistance::trianglesOf
+(
+    const closedSurface& surface
+)
+{
+    List<labelledTri> result(surface.triangles().size());
+    forAll(result, n)
+    {
+        const triFace& t = surface.triangles()[n];
+        result[n] = labelledTri(t[0], t[1], t[2], 0);
+    }
+    return result;
+}
+
+
+Foam::surfaceDistance::surfaceDistance
+(
+    const closedSurface& surface,
+    const pointField& x
+)
+:
+    surface_(trianglesOf(surface), x),
+    search_(surface_)
+{}
+
+
+Foam::List<Foam::surfaceDistance::place> Foam::surfaceDistance::nearest
+(
+    const pointField& points,
+    const scalar limit
+) const
+{
+    List<pointIndexHit> hits;
+    search_.findNearest(points, scalarField(points.size(), sqr(limit)), hits);
+
+    List<place> result(points.size());
+    forAll(points, i)
+    {
+        place& p = result[i];
+        p.found = hits[i].hit();
+        if (!p.found)
+        {
+            continue;
+        }
+        p.triangle = hits[i].index();
+        p.at = hits[i].rawPoint();
+        const vector away(points[i] - p.at);
+        const bool inside =
+            triSurfaceTools::surfaceSide(surface_, points[i], p.triangle)
+         == triSurfaceTools::INSIDE;
+        p.distance = inside ? -mag(away) : mag(away);
+
+        // On the surface itself there is no way to it
+        const vector normal
+        (
+            surface_[p.triangle].areaNormal(surface_.points())
+        );
+        p.outwards =
+            magSqr(away) > 1e-16*mag(normal)
+          ? vector(away/p.distance) : vector(normal/mag(normal));
+    }
+    return result;
+}

@@ -1,0 +1,136 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "variableViscosity.H"
+#include "fvcDiv.H"
+#include "fvcGrad.H"
+#include "fvmLaplacian.H"
+#include "linear.H"
+
+Foam::variableViscosity::variableViscosity(volVectorField& U)
+:
+    U_(U),
+    acceleration_(6),
+    nPasses_(0)
+{}
+
+
+Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
+{
+    const volTensorField gradU("gradU", fvc::grad(U_));
+    const dimensionedTensor one("I", dimless, tensor::I);
+    const surfaceVectorField& Sf = U_.mesh().Sf();
+    const volTensorField transposed(T(gradU) - tr(gradU)*one);
+    surfaceVectorField flux
+    (
+        "flux", *excess_*(Sf & linearInterpolate(transposed))
+    );
+    if (deficit_.valid())
+    {
+        const volVectorField& n = *normal_;
+        volVectorField En("En", symm(gradU) & n);
+        En -= n*(n & En);
+        flux -= Sf & linearInterpolate(*deficit_*twoSymm(n*En));
+    }
+    return fvc::div(flux);
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::variableViscosity::stress
+(
+    const volScalarField& nu,
+    const membraneInterior& interior
+)
+{
+    deficit_.reset
+    (
+        new volScalarField
+        (
+            "deficit", 2*nu*(interior.factor() - interior.shearFactor())
+        )
+    );
+    normal_.reset(new volVectorField("normal", interior.normal()));
+    return stress(nu*interior.factor());
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::variableViscosity::stress
+(
+    const volScalarField& nu
+)
+{
+    nu_.reset(new surfaceScalarField("nuf", linearInterpolate(nu)));
+    excess_.reset
+    (
+        new surfaceScalarField("excess", *nu_ - min(nu))
+    );
+    return
+        -fvm::laplacian(*nu_, U_, "laplacian(nuEff,U)") - coupling();
+}
+
+
+Foam::scalarField Foam::variableViscosity::asScalars(const vectorField& u)
+{
+    scalarField result(3*u.size());
+    forAll(u, i)
+    {
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            result[3*i + d] = u[i][d];
+        }
+    }
+    return result;
+}
+
+
+void Foam::variableViscosity::solve
+(
+    fvVectorMatrix& UEqn,
+    const volVectorField& gradp
+)
+{
+    constexpr label most = 20;
+    constexpr scalar tolerance = 1e-3;
+
+    const scalarField& V = U_.mesh().V();
+    const scalar volume = gSum(V);
+    const vectorField others
+    (
+        UEqn.source() - V*coupling()().primitiveField()
+    );
+    acceleration_.clear();
+    for (nPasses_ = 1; true; ++nPasses_)
+    {
+        const vectorField before(U_.primitiveField());
+        Foam::solve(UEqn == -gradp);
+        const vectorField change(U_.primitiveField() - before);
+        const vector mean(gSum(V*U_.primitiveField())/volume);
+        const scalar size = gSum(V*magSqr(U_.primitiveField() - mean));
+
+        const bool done =
+            nPasses_ == most
+         || gSum(V*magSqr(change)) <= sqr(tolerance)*size;
+        if (!done)
+        {
+            const scalarField correction
+            (
+                acceleration_.correction(asScalars(before), asScalars(change))
+            );
+            forAll(U_, i)
+            {
+                for (direction d = 0; d < vector::nComponents; ++d)
+                {
+                    U_[i][d] += correction[3*i + d];
+                }
+            }
+            U_.correctBoundaryConditions();
+        }
+        UEqn.source() = others + V*coupling()().primitiveField();
+        if (done)
+        {
+            break;
+        }
+    }
+}

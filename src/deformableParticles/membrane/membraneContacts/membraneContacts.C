@@ -1,0 +1,530 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "membraneContacts.H"
+#include "checkedEntries.H"
+#include "sphereGrid.H"
+
+namespace
+{
+
+using namespace Foam;
+
+dictionary entriesOf(const dictionary& dict)
+{
+    const dictionary result(dict.subOrEmptyDict("membraneContact"));
+    checkEntries(result, {"range", "stress"});
+    return result;
+}
+
+
+//- Barycentric coordinates of a point of a triangle. Those of OpenFOAM are a third
+//  each for triangles of micrometres
+vector coordinatesOf(const triFace& t, const pointField& x, const point& p)
+{
+    const vector a(x[t[1]] - x[t[0]]);
+    const vector b(x[t[2]] - x[t[0]]);
+    const vector r(p - x[t[0]]);
+    const vector n(a ^ b);
+    const scalar size = max(magSqr(n), VSMALL);
+    const scalar ofA = ((r ^ b) & n)/size;
+    const scalar ofB = ((a ^ r) & n)/size;
+    return vector(1 - ofA - ofB, ofA, ofB);
+}
+
+
+nodeContact contactOf
+(
+    const label i,
+    const vector& normal,
+    const scalar gap,
+    const scalar area,
+    const scalar moves
+)
+{
+    nodeContact c;
+    c.nodes = -1;
+    c.weights = scalar(0);
+    c.nodes[0] = i;
+    c.weights[0] = 1;
+    c.normal = normal;
+    c.gap = gap;
+    c.area = area;
+    c.moves = moves;
+    return c;
+}
+
+}
+
+
+Foam::membraneContacts::membraneContacts
+(
+    const PtrList<clumpType>& types,
+    const dictionary& dict
+)
+:
+    types_(types),
+    cells_(getBetweenOrDefault(entriesOf(dict), "range", 0.5, 0.05, 2)),
+    stress_(getPositiveOrDefault(entriesOf(dict), "stress", 60)),
+    range_(0),
+    dt_(0),
+    meshVelocity_(Zero)
+{}
+
+
+void Foam::membraneContacts::refuseSmallSpheres(const dictionary& types) const
+{
+    for (const clumpType& membrane : types_)
+    {
+        if (!membrane.hasSurface())
+        {
+            continue;
+        }
+        const scalar least =
+            0.6*membrane.surface().edgeLength(membrane.centres());
+        for (const clumpType& other : types_)
+        {
+            if (!other.hasSurface() && min(other.radii()) < least)
+            {
+                FatalIOErrorInFunction(types)
+                    << "Spheres of type " << other.name() << " have a radius of "
+                    << min(other.radii()) << " m and would pass between the nodes of"
+                    << " membranes of type " << membrane.name() << ", which need "
+                    << least << " m. Refine the surface (entry subdivisions), or switch"
+                    << " the effect contact off." << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
+void Foam::membraneContacts::refuseOverlaps
+(
+    const ghostExchange& ghosts,
+    const dictionary& placement
+) const
+{
+    const UList<clumpImage>& images = ghosts.images();
+    sphereGrid::forEachNear
+    (
+        images, ghosts.nOwn(), scalarField(ghosts.nOwn(), Zero),
+        [&](const label a, const label b)
+        {
+            const clumpImage& A = images[a];
+            const clumpImage& B = images[b];
+            bool overlap = false;
+            if (!typeOf(A).hasSurface())
+            {
+                return;
+            }
+            if (typeOf(B).hasSurface())
+            {
+                const surfaceDistance distance(typeOf(B).surface(), B.x);
+                for (const auto& p : distance.nearest(A.x))
+                {
+                    overlap = overlap || p.distance < 0;
+                }
+            }
+            else
+            {
+                forAll(B.x, j)
+                {
+                    overlap =
+                        overlap
+                     || min(mag(A.x - B.x[j])) < typeOf(B).radii()[j];
+                }
+            }
+            if (overlap)
+            {
+                FatalIOErrorInFunction(placement)
+                    << "Entry 'position': the surface of clump " << A.id.second()
+                    << " (type " << typeOf(A).name() << ") reaches into clump "
+                    << B.id.second() << " (type " << typeOf(B).name()
+                    << "); move them apart." << exit(FatalIOError);
+            }
+        }
+    );
+}
+
+
+Foam::membraneContacts::response Foam::membraneContacts::law
+(
+    const scalar gap
+) const
+{
+    const scalar s = max(1 - gap/range_, scalar(0));
+    return
+    {
+        stress_*range_/3*pow3(s), stress_*sqr(s), 2*stress_/range_*s
+    };
+}
+
+
+void Foam::membraneContacts::begin
+(
+    const ghostExchange& ghosts,
+    const scalar width,
+    const scalar dt,
+    const vector& meshVelocity
+)
+{
+    range_ = cells_*width;
+    dt_ = dt;
+    meshVelocity_ = meshVelocity;
+    const UList<clumpImage>& images = ghosts.images();
+    startU_.setSize(images.size());
+    forAll(images, a)
+    {
+        startU_[a] = images[a].u;
+    }
+}
+
+
+Foam::tmp<Foam::pointField> Foam::membraneContacts::imposed
+(
+    const ghostExchange& ghosts,
+    const label a
+) const
+{
+    const clumpImage& image = ghosts.images()[a];
+    const clumpType& type = typeOf(image);
+    if (type.hasSurface())
+    {
+        return image.x + dt_*(image.u - startU_[a]);
+    }
+
+    // Spheres are met in the middle of the step, see deformableCloud
+    const vector velocity
+    (
+        type.fixed()
+      ? vector::zero : sum(type.masses()*startU_[a])/type.mass()
+    );
+    return
+        image.x - 0.5*dt_*(velocity - meshVelocity_)
+      + dt_*(type.fixed() ? vectorField(image.u.size(), Zero) : image.u)
+      - dt_*meshVelocity_;
+}
+
+
+const Foam::surfaceDistance& Foam::membraneContacts::distance
+(
+    const ghostExchange& ghosts,
+    const label a
+)
+{
+    body& b = bodies_[a];
+    if (!b.distance.valid())
+    {
+        b.distance.reset
+        (
+            new surfaceDistance(typeOf(ghosts.images()[a]).surface(), b.x)
+        );
+    }
+    return *b.distance;
+}
+
+
+void Foam::membraneContacts::findNodes
+(
+    const ghostExchange& ghosts,
+    const label nodes,
+    const label triangles,
+    const bool ofNodes,
+    DynamicList<nodeContact>& contacts
+)
+{
+    const body& from = bodies_[nodes];
+    const body& to = bodies_[triangles];
+    const clumpType& type = typeOf(ghosts.images()[triangles]);
+
+    boundBox reach(to.box);
+    reach.min() -= range_*vector::one;
+    reach.max() += range_*vector::one;
+    DynamicList<label> near;
+    forAll(from.x, i)
+    {
+        if (reach.contains(from.x[i]))
+        {
+            near.append(i);
+        }
+    }
+    if (near.empty())
+    {
+        return;
+    }
+
+    // Deep inside, too
+    const pointField x(from.x, near);
+    const auto places = distance(ghosts, triangles).nearest
+    (
+        x, max(range_, type.halfWidth())
+    );
+    forAll(near, k)
+    {
+        const auto& p = places[k];
+        if (!p.found || p.distance >= range_)
+        {
+            continue;
+        }
+        nodeContact c
+        (
+            contactOf
+            (
+                near[k], p.outwards, p.distance, 0.5*from.areas[near[k]], 2
+            )
+        );
+        if (!ofNodes)
+        {
+            const triFace& t = type.surface().triangles()[p.triangle];
+            const vector w(coordinatesOf(t, to.x, p.at));
+            for (label n = 0; n < 3; ++n)
+            {
+                c.nodes[n] = t[n];
+                c.weights[n] = -w[n];
+            }
+        }
+        contacts.append(c);
+    }
+}
+
+
+void Foam::membraneContacts::findSpheres
+(
+    const ghostExchange& ghosts,
+    const label membrane,
+    const label spheres,
+    DynamicList<nodeContact>& contacts,
+    DynamicList<label>& nearest
+)
+{
+    const body& nodes = bodies_[membrane];
+    const body& others = bodies_[spheres];
+    const clumpType& type = typeOf(ghosts.images()[spheres]);
+    const scalarField& r = type.radii();
+
+    boundBox reach(others.box);
+    const scalar width = max(r) + range_;
+    reach.min() -= width*vector::one;
+    reach.max() += width*vector::one;
+    forAll(nodes.x, i)
+    {
+        if (!reach.contains(nodes.x[i]))
+        {
+            continue;
+        }
+        scalar gap = range_;
+        label at = -1;
+        forAll(others.x, j)
+        {
+            const scalar g = mag(nodes.x[i] - others.x[j]) - r[j];
+            if (g < gap)
+            {
+                gap = g;
+                at = j;
+            }
+        }
+        if (at >= 0)
+        {
+            const vector d(nodes.x[i] - others.x[at]);
+            contacts.append
+            (
+                contactOf
+                (
+                    i, d/max(mag(d), SMALL*r[at]), gap, nodes.areas[i],
+                    type.fixed() ? 1 : 2
+                )
+            );
+            nearest.append(at);
+        }
+    }
+}
+
+
+void Foam::membraneContacts::findWalls
+(
+    const label a,
+    const wallSurface& walls,
+    DynamicList<nodeContact>& contacts
+) const
+{
+    const body& nodes = bodies_[a];
+    boundBox reach(nodes.box);
+    reach.min() -= range_*vector::one;
+    reach.max() += range_*vector::one;
+    if (walls.empty() || walls.near(reach).empty())
+    {
+        return;
+    }
+    forAll(nodes.x, i)
+    {
+        scalar height;
+        vector away;
+        if
+        (
+            walls.nearest(nodes.x[i], 4*range_, height, away)
+         && height < range_
+        )
+        {
+            contacts.append(contactOf(i, away, height, nodes.areas[i], 1));
+        }
+    }
+}
+
+
+void Foam::membraneContacts::find
+(
+    const ghostExchange& ghosts,
+    Cloud<clumpParcel>& clumps,
+    const bool betweenClumps,
+    const wallSurface* walls
+)
+{
+    const UList<clumpImage>& images = ghosts.images();
+    UPtrList<clumpParcel> own(ghosts.nOwn());
+    label n = 0;
+    for (clumpParcel& p : clumps)
+    {
+        p.step().nodes.contacts.clear();
+        p.step().ofMembranes = externalForces();
+        own.set(n++, &p);
+    }
+    if (range_ <= 0)
+    {
+        return;
+    }
+
+    bodies_.clear();
+    bodies_.setSize(images.size());
+    forAll(images, a)
+    {
+        bodies_.set(a, new body);
+        body& b = bodies_[a];
+        b.x = imposed(ghosts, a);
+        b.box = boundBox(b.x, false);
+        if (typeOf(images[a]).hasSurface())
+        {
+            b.areas = typeOf(images[a]).surface().nodeAreas(images[a].x);
+            if (a < ghosts.nOwn() && walls)
+            {
+                findWalls(a, *walls, own[a].step().nodes.contacts);
+            }
+        }
+    }
+    if (!betweenClumps)
+    {
+        return;
+    }
+    sphereGrid::forEachNear
+    (
+        images, ghosts.nOwn(), scalarField(ghosts.nOwn(), 4*range_),
+        [&](const label a, const label b)
+        {
+            const bool membrane = typeOf(images[a]).hasSurface();
+            const bool other = typeOf(images[b]).hasSurface();
+            if (membrane && other)
+            {
+                findNodes(ghosts, a, b, true, own[a].step().nodes.contacts);
+                findNodes(ghosts, b, a, false, own[a].step().nodes.contacts);
+            }
+            else if (membrane)
+            {
+                DynamicList<label> unused;
+                findSpheres(ghosts, a, b, own[a].step().nodes.contacts, unused);
+            }
+            else if (other)
+            {
+                addToSpheres(ghosts, b, a, own[a]);
+            }
+        }
+    );
+}
+
+
+void Foam::membraneContacts::addToSpheres
+(
+    const ghostExchange& ghosts,
+    const label membrane,
+    const label spheres,
+    clumpParcel& p
+)
+{
+    DynamicList<nodeContact> contacts;
+    DynamicList<label> nearest;
+    findSpheres(ghosts, membrane, spheres, contacts, nearest);
+    externalForces& ext = p.step().ofMembranes;
+    if (contacts.size() && ext.f.empty())
+    {
+        ext = externalForces(p.state().x.size());
+    }
+    forAll(contacts, k)
+    {
+        // Linear in the displacement from where the sphere was imposed
+        const nodeContact& c = contacts[k];
+        const response w(law(c.gap));
+        const label j = nearest[k];
+        const symmTensor K(c.moves*c.area*w.k*sqr(c.normal));
+        ext.k[j] += K;
+        ext.f[j] +=
+            (K & (dt_*p.step().imposedU[j])) - c.area*w.p*c.normal;
+    }
+}
+
+
+void Foam::membraneContacts::addForces
+(
+    const UList<nodeContact>& contacts,
+    vectorField& F
+) const
+{
+    for (const nodeContact& c : contacts)
+    {
+        const vector f(c.area*law(c.gap).p*c.normal);
+        for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
+        {
+            F[c.nodes[n]] += c.weights[n]*f;
+        }
+    }
+}
+
+
+Foam::scalar Foam::membraneContacts::add
+(
+    const UList<nodeContact>& contacts,
+    const vectorField& d,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    scalar potential = 0;
+    for (const nodeContact& c : contacts)
+    {
+        scalar opened = 0;
+        for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
+        {
+            opened += c.weights[n]*(c.normal & d[c.nodes[n]]);
+        }
+        const response w(law(c.gap + c.moves*opened));
+        potential += c.area/c.moves*w.w;
+
+        const Eigen::Vector3d normal(c.normal.x(), c.normal.y(), c.normal.z());
+        const Eigen::Matrix3d K
+        (
+            c.moves*c.area*w.k*normal*normal.transpose()
+        );
+        for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
+        {
+            const label i = c.nodes[n];
+            gradient[i] -= c.weights[n]*c.area*w.p*c.normal;
+            for (label m = 0; tangent && m < 3 && c.nodes[m] >= 0; ++m)
+            {
+                if (i >= c.nodes[m])
+                {
+                    tangent->add(i, c.nodes[m], c.weights[n]*c.weights[m]*K);
+                }
+            }
+        }
+    }
+    return potential;
+}

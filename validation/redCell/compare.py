@@ -1,0 +1,76 @@
+"""A red cell that is stretched and one that tank-treads, against measurements."""
+
+from results import Results, plt, read, save
+
+MILLS = "Mills et al. 2004, within the error bars (reference/mills2004_healthy_stretch.csv)"
+FISCHER = "Fischer, mean of 12 donors at 28.9 mPa s (reference/tankTreading_fischer.csv)"
+TST = "Tran-Son-Tay et al. 1984, 35 mPa s (reference/tankTreading_tranSonTay1984.csv)"
+
+# Recorded misses
+KNOWN = {("f", 114.3, 162): 0.02535}
+
+results = Results()
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4))
+
+measured = read("reference/mills2004_healthy_stretch.csv")
+runs = {}
+for r in read("stretch.csv"):
+    runs.setdefault((r["strain"], int(r["subdivisions"])), []).append(r)
+
+
+def at(force, column):
+    """A measured column at a force, between the nearest ones."""
+    rows = [(m["force_pN"], m[column]) for m in measured]
+    for (f0, v0), (f1, v1) in zip(rows, rows[1:]):
+        if f0 <= force <= f1:
+            return v0 + (v1 - v0)*(force - f0)/(f1 - f0)
+    return rows[-1][1]
+
+
+for (strain, subdivisions), rows in runs.items():
+    nodes = 10*4**subdivisions + 2
+    for r in rows:
+        for kind in ("axial", "transverse"):
+            name = f"{kind} diameter at {r['force_pN']:g} pN, {strain}, {nodes} nodes"
+            bar = 0.5*(at(r["force_pN"], kind + "_hi") - at(r["force_pN"], kind + "_lo"))
+            results.add(name, r[kind + "_um"], "um", at(r["force_pN"], kind + "_um"),
+                        round(bar, 3), MILLS, KNOWN.get((strain, kind, r["force_pN"])))
+    results.add(f"volume, stretched, {strain}, {nodes} nodes", rows[-1]["volume"], "-", 1, 1e-6,
+                "volume at rest")
+    for kind in ("axial", "transverse"):
+        left.plot([0] + [r["force_pN"] for r in rows], [7.82] + [r[kind + "_um"] for r in rows],
+                  ".-", label=f"{strain}, {kind}")
+for kind in ("axial", "transverse"):
+    low = [m[kind + "_um"] - m[kind + "_lo"] for m in measured]
+    high = [m[kind + "_hi"] - m[kind + "_um"] for m in measured]
+    left.errorbar([m["force_pN"] for m in measured], [m[kind + "_um"] for m in measured],
+                  [low, high], fmt="k.", capsize=2, lw=0.7)
+left.set_xlabel("force [pN]")
+left.set_ylabel("diameter [um]")
+left.legend(fontsize=7)
+
+fischer = {m["mean_shear_rate"]: (m["mean_f_over_g"], m["sd"])
+           for m in read("reference/tankTreading_fischer.csv")}
+tst = {m["gdot_1_s"]: m["f_rad_s"]/(2*3.14159265)/m["gdot_1_s"]
+       for m in read("reference/tankTreading_tranSonTay1984.csv")}
+for r in read("data.csv"):
+    nodes = 10*4**int(r["subdivisions"]) + 2
+    name = f"at {r['rate']:g} 1/s and {r['mu_mPas']:g} mPa s, {nodes} nodes"
+    reference = fischer[r["rate"]][0] if r["mu_mPas"] == 28.9 else tst[r["rate"]]
+    results.add(f"tank-treading frequency over shear rate {name}", r["f_over_rate"], "-",
+                reference, "15%", FISCHER if r["mu_mPas"] == 28.9 else TST,
+                KNOWN.get(("f", r["rate"], nodes)))
+    results.report(f"inclination {name}", r["inclination_deg"], "degrees", "mean of a half turn")
+    results.report(f"length {name}", r["L_um"], "um", "mean of a half turn")
+    results.add(f"volume, tank-treading {name}", r["volume"], "-", 1, 1e-6, "volume at rest")
+    results.report(f"outer correctors {name}", r["correctors"], "-", "mean of the steps")
+    right.semilogx(r["rate"], r["f_over_rate"], "s" if r["mu_mPas"] == 28.9 else "o",
+                   label=f"{r['mu_mPas']:g} mPa s, {nodes} nodes")
+right.errorbar(list(fischer), [f for f, _ in fischer.values()], [sd for _, sd in fischer.values()],
+               fmt="k.-", capsize=2, lw=0.7, label="Fischer, 28.9 mPa s")
+right.semilogx(list(tst), list(tst.values()), "kx-", lw=0.7, label="Tran-Son-Tay, 35 mPa s")
+right.set_xlabel("shear rate [1/s]")
+right.set_ylabel("tank-treading frequency over shear rate")
+right.legend(fontsize=7)
+save(figure, "redCell.png")
+results.write()

@@ -1,0 +1,51 @@
+"""Rows of the tables of a run: of a stretched cell, one per force; of one that tank-treads, one."""
+import re
+import sys
+from math import atan2, cos, degrees, pi, sin
+
+from clumpTables import table
+
+case = sys.argv[1]
+rows = table(case, "clumpShape")
+start = rows[0]
+
+
+def unwrapped(angles):
+    """Angles without jumps."""
+    result = [angles[0]]
+    for angle in angles[1:]:
+        change = angle - result[-1]
+        result.append(result[-1] + atan2(sin(change), cos(change)))
+    return result
+
+
+def lastHalfTurn(times, angles):
+    """Frequency over the last half turn of a node, after which the ellipse is as before, and the
+    row where it begins; nan and the middle row where there is none."""
+    for n in range(len(angles) - 2, 0, -1):
+        if angles[n] - angles[-1] >= pi:
+            part = (angles[n] - angles[-1] - pi)/(angles[n] - angles[n + 1])
+            return 0.5/(times[-1] - times[n] - part*(times[n + 1] - times[n])), n
+    return float("nan"), len(angles)//2
+
+
+if case == "stretch":
+    law, subdivisions, hold = sys.argv[2].split(";")[0].split()[1], sys.argv[3], float(sys.argv[4])
+    for n, force in enumerate(sys.argv[5:]):
+        held = [r for r in rows if n*hold + 1e-9 < r["time"] <= (n + 1)*hold + 1e-9]
+        last = held[-1]
+        print(f"{law},{subdivisions},{force},{last['Lx']*1e6:.3f},{last['Ly']*1e6:.3f},"
+              f"{last['Lx']/held[-2]['Lx'] - 1:.5f},{last['volume']/start['volume']:.8f},"
+              f"{last['area']/start['area']:.5f}")
+else:
+    rate, mu, subdivisions, step, seconds = sys.argv[2:]
+    with open(f"{case}/log.rbcIbFoam") as file:
+        correctors = [int(n) for n in re.findall(r"^Outer correctors: (\d+)", file.read(), re.M)]
+    turned = unwrapped([r["phase"] for r in rows])
+    f, first = lastHalfTurn([r["time"] for r in rows], turned)
+    last = rows[first:]
+    mean = {k: sum(r[k] for r in last)/len(last) for k in ("inclination", "Lx", "Lz")}
+    print(f"{rate},{mu},{subdivisions},{step},{f/float(rate):.5f},"
+          f"{degrees(mean['inclination']):.2f},{mean['Lx']*1e6:.3f},{mean['Lz']*1e6:.3f},"
+          f"{last[-1]['volume']/start['volume']:.8f},{last[-1]['area']/start['area']:.5f},"
+          f"{sum(correctors)/len(correctors):.2f},{seconds}")

@@ -8,7 +8,7 @@ SOURCE = "Davis 2008: critical diameter 1.4 G e^0.48"
 
 rows = read("data.csv")
 results = Results()
-figure, axes = plt.subplots(figsize=(9, 5))
+figure, axes = plt.subplots(figsize=(9, 4.6))
 
 
 def path(row):
@@ -84,6 +84,6 @@ axes.set_xlim(-12, 130)
 axes.set_ylim(-16, 36)
 axes.set_xlabel("along the rows of posts [um]")
 axes.set_ylabel("across them [um]")
-axes.legend(fontsize=7, loc="upper left")
+axes.legend(fontsize=7, ncol=4, loc="upper center", bbox_to_anchor=(0.5, -0.14))
 save(figure, "lateralDisplacement.png")
 results.write()

@@ -52,6 +52,7 @@ autoPtr<openCloud> spheres
 
 struct motion
 {
+    vector x = Zero;
     vector u = Zero;
     vector w = Zero;
 };
@@ -71,10 +72,12 @@ motion after(openCloud& cloud, const label nSteps, const label id = 0)
     {
         if (p.origId() == id)
         {
+            result.x = p.centres()[0];
             result.u = p.state().u[0];
             result.w = p.state().w[0];
         }
     }
+    reduce(result.x, sumOp<vector>());
     reduce(result.u, sumOp<vector>());
     reduce(result.w, sumOp<vector>());
     return result;
@@ -247,12 +250,18 @@ TEST_CASE("friction: a wall that moves", "[contact][friction]")
     const motion first(after(*cloud, 1));
     CHECK(first.u.x() > 0);
     CHECK(first.u.x() <= 1.02*mu*g*dt);
-    const motion end(after(*cloud, 200));
+    const motion middle(after(*cloud, 100));
+    const motion end(after(*cloud, 100));
     const scalar arm = radius - depth(mass*g);
     const scalar expected = belt/(1 + 2.5*sqr(arm/radius));
     CHECK(expected == Approx(2.0/7*belt).epsilon(0.02));
-    CHECK(end.u.x() == Approx(expected).epsilon(1e-3));
-    CHECK(end.w.z()*arm == Approx(belt - expected).epsilon(1e-3));
+    const scalar mean = (end.x.x() - middle.x.x())/(100*dt);
+    CHECK(mean == Approx(expected).epsilon(1e-3));
+
+    // In a single step spheres that stick may slip by this velocity, see contactStep
+    const scalar slip = 1e-3*mu*g*dt;
+    CHECK(mag(end.u.x() - expected) < slip);
+    CHECK(mag(end.u.x() + end.w.z()*arm - belt) < slip);
 
     // And stays at rest where the pair has no friction
     const motion smooth

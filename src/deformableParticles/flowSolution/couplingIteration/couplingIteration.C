@@ -41,7 +41,6 @@ Foam::couplingIteration::couplingIteration
     tolerance_(0),
     nCorrectors_(0),
     last_(0),
-    refused_(GREAT),
     nSteps_(0),
     nMissed_(0),
     worst_(0)
@@ -176,7 +175,7 @@ void Foam::couplingIteration::beginStep()
 }
 
 
-Foam::string Foam::couplingIteration::disagreement()
+Foam::string Foam::couplingIteration::disagreement(scalar& before)
 {
     if (!clumpsFollow_)
     {
@@ -184,10 +183,10 @@ Foam::string Foam::couplingIteration::disagreement()
     }
     last_ = residual_.value(p0_);
     const bool far =
-        tolerance_ > 0 && last_ > max(5*tolerance_, scalar(0.1))
-     && last_ < 0.9*refused_;
-    refused_ = far ? last_ : GREAT;
-    if (!far)
+        tolerance_ > 0 && last_ > max(5*tolerance_, scalar(0.1));
+    const bool refused = far && last_ < 0.9*before;
+    before = far ? last_ : GREAT;
+    if (!refused)
     {
         return string();
     }

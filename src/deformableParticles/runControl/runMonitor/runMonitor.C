@@ -94,7 +94,14 @@ bool Foam::runMonitor::repeats(couplingIteration& coupling)
 {
     const timeBreakdown::timer t(timing_, "checks");
     const string& wrong = watchdog_.judge();
-    const string disagreement(coupling.disagreement());
+    const word key("couplingResidual");
+    scalar before = watchdog_.state().getOrDefault<scalar>(key, GREAT);
+    const string disagreement(coupling.disagreement(before));
+    watchdog_.state().remove(key);
+    if (before < GREAT)
+    {
+        watchdog_.state().set(key, before);
+    }
     const bool thrown = watchdog_.curable();
     if
     (

@@ -452,6 +452,20 @@ Foam::Time& Foam::completeTime::operator++()
 }
 
 
+void Foam::completeTime::returnTo(const TimeState& state)
+{
+    if (!marked_.empty())
+    {
+        if (isMine())
+        {
+            rmDir(marked_, true);
+        }
+        marked_.clear();
+    }
+    TimeState::operator=(state);
+}
+
+
 bool Foam::completeTime::write(const bool valid) const
 {
     if (!writeTime())

@@ -90,6 +90,18 @@ scalar depth(const scalar N)
     return Foam::pow(0.75*N/(1e5*Foam::sqrt(radius)), 2.0/3.0);
 }
 
+
+//- A ball that the wall at y = 0 carries with the force N [N], with a velocity along it
+string onWall(const scalar N, const scalar u = 0)
+{
+    OStringStream place;
+    place.precision(15);
+    place
+        << "{ type ball; position (4e-6 " << radius - depth(N)
+        << " 10e-6); velocity (" << u << " 0 0); }";
+    return place.str();
+}
+
 }
 
 
@@ -101,16 +113,12 @@ TEST_CASE("friction: a sphere on an incline", "[contact][friction]")
     for (const scalar angle : {0.2, 0.4, 1.0})
     {
         const scalar N = mass*g*std::cos(angle);
-        OStringStream place;
-        place.precision(15);
-        place
-            << "{ type ball; position (4e-6 " << radius - depth(N)
-            << " 10e-6); velocity (0 0 0); }";
+        const string place(onWall(N));
         autoPtr<openCloud> cloud
         (
             spheres
             (
-                place.str(),
+                place,
                 mass*g*vector(std::sin(angle), -std::cos(angle), 0), mu
             )
         );
@@ -147,18 +155,14 @@ TEST_CASE("friction: a sphere on an incline", "[contact][friction]")
 
 TEST_CASE("friction: absent unless asked for", "[contact][friction]")
 {
-    OStringStream place;
-    place.precision(15);
-    place
-        << "{ type ball; position (4e-6 " << radius - depth(mass*g)
-        << " 10e-6); velocity (1e-3 0 0); }";
+    const string place(onWall(mass*g, 1e-3));
     const vector weight(0, -mass*g, 0);
-    const motion smooth(after(*spheres(place.str(), weight, 0), 20));
+    const motion smooth(after(*spheres(place, weight, 0), 20));
     CHECK(smooth.u.x() == Approx(1e-3).epsilon(1e-9));
     CHECK(mag(smooth.w) < 1e-9);
 
     // Half of its angular momentum about the place of contact: 5/7 of the velocity
-    const motion rough(after(*spheres(place.str(), weight, 0.5), 200));
+    const motion rough(after(*spheres(place, weight, 0.5), 200));
     CHECK(rough.u.x() == Approx(1e-3*5/7).epsilon(0.01));
     CHECK(-rough.w.z()*radius == Approx(1e-3*5/7).epsilon(0.01));
 }
@@ -236,14 +240,10 @@ TEST_CASE("friction: a wall that moves", "[contact][friction]")
     // nearer to the centre than a radius
     const scalar belt = 1e-3;
     const autoPtr<volVectorField> U(movingWalls(vector(belt, 0, 0), Zero));
-    OStringStream place;
-    place.precision(15);
-    place
-        << "{ type ball; position (4e-6 " << radius - depth(mass*g)
-        << " 10e-6); velocity (0 0 0); }";
+    const string place(onWall(mass*g));
     const vector weight(0, -mass*g, 0);
     const scalar mu = 0.5;
-    autoPtr<openCloud> cloud(spheres(place.str(), weight, mu));
+    autoPtr<openCloud> cloud(spheres(place, weight, mu));
 
     // While it slips, its acceleration is mu g
     const scalar dt = testTime().deltaTValue();
@@ -270,7 +270,7 @@ TEST_CASE("friction: a wall that moves", "[contact][friction]")
         (
             *spheres
             (
-                place.str(), weight, mu, 1e5,
+                place, weight, mu, 1e5,
                 "pairs { smooth { patches (walls); friction 0; } }"
             ),
             20
@@ -284,16 +284,12 @@ TEST_CASE("friction: a wall whose images would move otherwise", "[contact][frict
 {
     // It turns about y, the box is periodic in x and z
     const autoPtr<volVectorField> U(movingWalls(Zero, vector(0, 50, 0)));
-    OStringStream place;
-    place.precision(15);
-    place
-        << "{ type ball; position (4e-6 " << radius - depth(mass*g)
-        << " 10e-6); velocity (0 0 0); }";
+    const string place(onWall(mass*g));
     const vector weight(0, -mass*g, 0);
-    CHECK_THROWS(after(*spheres(place.str(), weight, 0.5), 1));
+    CHECK_THROWS(after(*spheres(place, weight, 0.5), 1));
 
     // Without friction the walls have no motion
-    CHECK_NOTHROW(after(*spheres(place.str(), weight, 0), 1));
+    CHECK_NOTHROW(after(*spheres(place, weight, 0), 1));
 }
 
 

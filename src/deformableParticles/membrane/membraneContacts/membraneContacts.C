@@ -35,6 +35,12 @@ vector coordinatesOf(const triFace& t, const pointField& x, const point& p)
 }
 
 
+boundBox grown(const boundBox& box, const scalar width)
+{
+    return boundBox(box.min() - width*vector::one, box.max() + width*vector::one);
+}
+
+
 nodeContact contactOf
 (
     const label i,
@@ -239,9 +245,7 @@ void Foam::membraneContacts::findNodes
     const body& to = bodies_[triangles];
     const clumpType& type = typeOf(ghosts.images()[triangles]);
 
-    boundBox reach(to.box);
-    reach.min() -= range_*vector::one;
-    reach.max() += range_*vector::one;
+    const boundBox reach(grown(to.box, range_));
     DynamicList<label> near;
     forAll(from.x, i)
     {
@@ -304,10 +308,7 @@ void Foam::membraneContacts::findSpheres
     const clumpType& type = typeOf(ghosts.images()[spheres]);
     const scalarField& r = type.radii();
 
-    boundBox reach(others.box);
-    const scalar width = max(r) + range_;
-    reach.min() -= width*vector::one;
-    reach.max() += width*vector::one;
+    const boundBox reach(grown(others.box, max(r) + range_));
     forAll(nodes.x, i)
     {
         if (!reach.contains(nodes.x[i]))
@@ -350,10 +351,7 @@ void Foam::membraneContacts::findWalls
 ) const
 {
     const body& nodes = bodies_[a];
-    boundBox reach(nodes.box);
-    reach.min() -= range_*vector::one;
-    reach.max() += range_*vector::one;
-    if (walls.empty() || walls.near(reach).empty())
+    if (walls.empty() || walls.near(grown(nodes.box, range_)).empty())
     {
         return;
     }

@@ -31,18 +31,24 @@ autoPtr<openCloud> spheres
     const vector& force,
     const scalar friction,
     const scalar modulus = 1e5,
-    const string& ofWalls = ""
+    const string& ofWalls = "",
+    const scalar rollingFriction = 0
 )
 {
+    const string law
+    (
+        "restitution 0.5; friction " + Foam::name(friction) + "; rollingFriction "
+      + Foam::name(rollingFriction) + "; "
+    );
     OStringStream os;
     os.precision(15);
     os  << "types { ball { shape { type chain; nSpheres 1; sphereRadius " << radius
         << "; } density " << density << "; } }"
         << "placement { type list; clumps (" << clumps.c_str() << "); }"
-        << "contactModel { type hertz; reducedModulus " << modulus
-        << "; restitution 0.5; friction " << friction << "; }"
-        << "wallContactModel { type hertz; reducedModulus 1e5; restitution 0.5;"
-        << " friction " << friction << "; " << ofWalls.c_str() << "}"
+        << "contactModel { type hertz; reducedModulus " << modulus << "; "
+        << law.c_str() << "}"
+        << "wallContactModel { type hertz; reducedModulus 1e5; " << law.c_str()
+        << ofWalls.c_str() << "}"
         << "loads { weight { type pointForces; clumpType ball; spheres (0); forces ("
         << force << "); torques ((0 0 0)); factor 1; } }"
         << "effects { fluid off; gravity off; contact on; walls on; }";
@@ -150,6 +156,53 @@ TEST_CASE("friction: a sphere on an incline", "[contact][friction]")
             );
         }
     }
+}
+
+
+TEST_CASE("friction: a sphere that resists rolling", "[contact][friction]")
+{
+    // On an incline: at rest below atan(mu_r); above it, the moment mu_r r N and the
+    // friction F at the wall give 5/7 g (sin a - mu_r cos a)
+    const scalar rolling = 0.1;
+    const scalar dt = testTime().deltaTValue();
+    for (const scalar angle : {0.09, 0.11, 0.3})
+    {
+        const scalar N = mass*g*std::cos(angle);
+        autoPtr<openCloud> cloud
+        (
+            spheres
+            (
+                onWall(N),
+                mass*g*vector(std::sin(angle), -std::cos(angle), 0), 0.5, 1e5, "",
+                rolling
+            )
+        );
+        after(*cloud, 10);
+        const motion begin(after(*cloud, 0));
+        const label n = 40;
+        const motion end(after(*cloud, n));
+        const scalar a = (end.u.x() - begin.u.x())/(n*dt);
+
+        // The place of contact is nearer to the centre than a radius
+        const scalar arm = 1 - depth(N)/radius;
+        const scalar excess =
+            std::sin(angle) - rolling*std::cos(angle)/arm;
+        const scalar expected = g*max(excess, scalar(0))/(1 + 0.4/sqr(arm));
+        INFO(angle);
+        CHECK(a == Approx(expected).epsilon(0.01).margin(1e-5*g));
+        CHECK(mag(end.u.x() + end.w.z()*arm*radius) < 1e-3*g*dt + 0.01*end.u.x());
+    }
+
+    // One that spins about the line of centres goes on
+    autoPtr<openCloud> cloud
+    (
+        spheres(onWall(mass*g), vector(0, -mass*g, 0), 0.5, 1e5, "", rolling)
+    );
+    for (clumpParcel& p : *cloud)
+    {
+        p.state().w[0] = vector(0, 1e3, 0);
+    }
+    CHECK(after(*cloud, 20).w.y() == Approx(1e3).epsilon(1e-6));
 }
 
 
@@ -352,7 +405,7 @@ TEST_CASE("friction: laws of pairs of types and of patches", "[contact][friction
     CHECK(laws(1, 0).friction() == 0.1);
     CHECK(laws(1, 2).friction() == 0.3);
     CHECK(laws(2, 2).friction() == 0.3);
-    CHECK(laws.friction() == 0.3);
+    CHECK(laws.frictional());
     const scalar E = 3*constant::mathematical::pi*10/Foam::pow(0.2, 1.5);
     CHECK
     (
@@ -404,6 +457,49 @@ TEST_CASE("friction: laws of pairs of types and of patches", "[contact][friction
 }
 
 
+namespace
+{
+
+//- Height of the top of four spheres, one on three that touch each other, after it has
+//  had the time to collapse [radii]
+scalar heapOfFour(const scalar mu, const scalar ofFloor, const scalar rolling)
+{
+    const scalar R = 2*radius/std::sqrt(3.0);
+    const scalar sunk = depth(4.0/3*mass*g);
+    OStringStream os;
+    os.precision(15);
+    for (label k = 0; k < 3; ++k)
+    {
+        const scalar angle = constant::mathematical::twoPi*k/3;
+        os  << "{ type ball; position ("
+            << 10e-6 + 0.9999*R*std::cos(angle) << ' ' << radius - sunk << ' '
+            << 10e-6 + 0.9999*R*std::sin(angle) << "); velocity (0 0 0); }";
+    }
+    os  << "{ type ball; position (10e-6 "
+        << radius - sunk + 2*radius*std::sqrt(2.0/3)*0.9999
+        << " 10e-6); velocity (0 0 0); }";
+    autoPtr<openCloud> cloud
+    (
+        spheres
+        (
+            os.str(), vector(0, -mass*g, 0), mu, 1e7,
+            "pairs { floor { patches (walls); friction " + Foam::name(ofFloor)
+          + "; } }",
+            rolling
+        )
+    );
+    after(*cloud, 120);
+    scalar top = 0;
+    for (const clumpParcel& p : *cloud)
+    {
+        top = max(top, p.position().y());
+    }
+    return returnReduce(top, maxOp<scalar>())/radius - 1;
+}
+
+}
+
+
 TEST_CASE("friction: a heap of four", "[contact][friction]")
 {
     // A sphere on three others that touch each other, with a = 35.26 degrees between the
@@ -413,41 +509,18 @@ TEST_CASE("friction: a heap of four", "[contact][friction]")
     // mu > tan(a/2)/4 = 0.079
     const scalar a = std::asin(1/std::sqrt(3.0));
     const scalar between = std::tan(0.5*a);
-    const auto fall = [&](const scalar mu, const scalar ofFloor)
-    {
-        const scalar R = 2*radius/std::sqrt(3.0);
-        const scalar sunk = depth(4.0/3*mass*g);
-        OStringStream os;
-        os.precision(15);
-        for (label k = 0; k < 3; ++k)
-        {
-            const scalar angle = constant::mathematical::twoPi*k/3;
-            os  << "{ type ball; position ("
-                << 10e-6 + 0.9999*R*std::cos(angle) << ' ' << radius - sunk << ' '
-                << 10e-6 + 0.9999*R*std::sin(angle) << "); velocity (0 0 0); }";
-        }
-        os  << "{ type ball; position (10e-6 "
-            << radius - sunk + 2*radius*std::sqrt(2.0/3)*0.9999
-            << " 10e-6); velocity (0 0 0); }";
-        autoPtr<openCloud> cloud
-        (
-            spheres
-            (
-                os.str(), vector(0, -mass*g, 0), mu, 1e7,
-                "pairs { floor { patches (walls); friction " + Foam::name(ofFloor)
-              + "; } }"
-            )
-        );
-        after(*cloud, 60);
-        scalar top = 0;
-        for (const clumpParcel& p : *cloud)
-        {
-            top = max(top, p.position().y());
-        }
-        return returnReduce(top, maxOp<scalar>())/radius - 1;
-    };
     const scalar high = 2*std::sqrt(2.0/3);
-    CHECK(fall(1.15*between, 0.3*between) == Approx(high).epsilon(0.03));
-    CHECK(fall(0.85*between, 0.3*between) < 0.9*high);
-    CHECK(fall(1.15*between, 0.2*between) < 0.9*high);
+    CHECK(heapOfFour(1.15*between, 0.3*between, 0) == Approx(high).epsilon(0.03));
+    CHECK(heapOfFour(0.85*between, 0.3*between, 0) < 0.9*high);
+    CHECK(heapOfFour(1.15*between, 0.2*between, 0) < 0.9*high);
+
+    // With the moments mu_r r/2 N between the spheres and mu_r r N_floor on the floor, the
+    // friction on the floor is f + mu_r (N/2 + N_floor), and mu needs to be larger than
+    // tan(a/2) - mu_r (1/2 + 4 (cos a + mu sin a))/(1 + cos a)
+    const scalar mu = 0.8*between;
+    const scalar rolling =
+        (between - mu)*(1 + std::cos(a))
+       /(0.5 + 4*(std::cos(a) + mu*std::sin(a)));
+    CHECK(heapOfFour(mu, between, 1.2*rolling) == Approx(high).epsilon(0.03));
+    CHECK(heapOfFour(mu, between, 0.5*rolling) < 0.9*high);
 }

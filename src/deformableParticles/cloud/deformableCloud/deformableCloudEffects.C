@@ -32,12 +32,12 @@ void Foam::deformableCloud::refuseIdleEffects() const
     }
     if
     (
-        max(contacts_.laws().friction(), walls_.laws().friction()) > 0
+        (contacts_.laws().frictional() || walls_.laws().frictional())
      && !integrator_->implicit()
     )
     {
         FatalIOErrorInFunction(getDict(dict_, "integrator"))
-            << "Entry 'friction' of a contact model needs an implicit integrator. Valid"
+            << "Friction in a contact model needs an implicit integrator. Valid"
             << " here: implicitEuler" << exit(FatalIOError);
     }
     if

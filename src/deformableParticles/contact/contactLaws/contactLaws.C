@@ -202,12 +202,14 @@ bool Foam::contactLaws::active() const
 }
 
 
-Foam::scalar Foam::contactLaws::friction() const
+bool Foam::contactLaws::frictional() const
 {
-    scalar result = 0;
     for (const contactModel& law : laws_)
     {
-        result = max(result, law.friction());
+        if (law.frictional())
+        {
+            return true;
+        }
     }
-    return result;
+    return false;
 }

@@ -26,7 +26,7 @@ Foam::contactStep::contactStep
     dt_(0),
     slack_(0),
     range_(0),
-    rubs_(contacts.laws().friction() > 0 || walls.laws().friction() > 0)
+    rubs_(contacts.laws().frictional() || walls.laws().frictional())
 {
     forget();
 }

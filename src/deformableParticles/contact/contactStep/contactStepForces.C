@@ -159,9 +159,11 @@ void Foam::contactStep::sumForces(const label m)
         const touch& t = touches_[k];
         // Two members have half of the energy each
         const bool both = t.b >= 0 && isMember_[t.slot];
-        energies_[m] += (both ? 0.5 : 1)*(t.w.energy + t.slipEnergy);
-        forces_[m][t.i] += t.w.force*t.n + t.slipForce;
-        torques_[m][t.i] += t.arm*(t.slipForce ^ t.slipNormal);
+        energies_[m] +=
+            (both ? 0.5 : 1)*(t.w.energy + t.sliding.energy + t.rolling.energy);
+        forces_[m][t.i] += t.w.force*t.n + t.sliding.force;
+        torques_[m][t.i] +=
+            t.arm*(t.sliding.force ^ t.slipNormal) + t.rolling.force;
     }
 }
 
@@ -188,7 +190,11 @@ Foam::symmTensorField Foam::contactStep::stiffness(const label m) const
     for (label n = begins_[a]; n < begins_[a + 1]; ++n)
     {
         const touch& t = touches_[n];
-        k[t.i] += t.w.stiffness*sqr(t.n) + slipStiffness(t);
+        k[t.i] += t.w.stiffness*sqr(t.n);
+        if (rubs_ && t.pressed > 0)
+        {
+            k[t.i] += t.sliding.tangent(slip(t), t.slipNormal);
+        }
     }
     return k;
 }

@@ -41,12 +41,38 @@ Eigen::Vector3d column(const vector& v)
 }
 
 
+void Foam::contactStep::frictionPotential::evaluate(const vector& s)
+{
+    const scalar root = Foam::sqrt(magSqr(s) + sqr(smooth));
+    energy = limit*(root - smooth);
+    force = -limit/max(root, VSMALL)*s;
+}
+
+
+Foam::symmTensor Foam::contactStep::frictionPotential::tangent
+(
+    const vector& s,
+    const vector& n
+) const
+{
+    if (limit <= 0 || smooth <= 0)
+    {
+        return Zero;
+    }
+    const scalar root2 = magSqr(s) + sqr(smooth);
+    return limit/Foam::sqrt(root2)*(symmTensor::I - sqr(n) - sqr(s)/root2);
+}
+
+
 void Foam::contactStep::setPressed(touch& t) const
 {
     t.pressed = t.pressing;
     t.slipNormal = t.n;
-    t.slipLength =
-        1e-3*friction(t)*t.pressed*sqr(dt_)/max(t.m, VSMALL);
+    const scalar friction = t.law ? t.law->friction() : 0;
+    const scalar rolling = t.law ? t.law->rollingFriction() : 0;
+    const scalar moved = 1e-3*t.pressed*sqr(dt_)/max(t.m, VSMALL);
+    t.sliding = {friction*t.pressed, friction*moved, Zero, 0};
+    t.rolling = {rolling*t.R*t.pressed, rolling*moved/t.R, Zero, 0};
 
     // The place of contact is in the middle of the overlap, at the wall in its plane
     const scalar radius = type(t.a).radii()[t.i];
@@ -97,32 +123,28 @@ Foam::vector Foam::contactStep::slip(const touch& t) const
 }
 
 
-void Foam::contactStep::evaluateFriction(touch& t) const
+Foam::vector Foam::contactStep::roll(const touch& t) const
 {
-    t.slipForce = Zero;
-    t.slipEnergy = 0;
-    if (rubs_ && t.pressed > 0)
-    {
-        const scalar limit = friction(t)*t.pressed;
-        const vector s(slip(t));
-        const scalar root = Foam::sqrt(magSqr(s) + sqr(t.slipLength));
-        t.slipEnergy = limit*(root - t.slipLength);
-        t.slipForce = -limit/max(root, VSMALL)*s;
-    }
+    const vector other
+    (
+        t.b < 0 ? vector(dt_*walls_.rotation(t.patch)) : turned_[t.slot][t.j]
+    );
+    const vector r(turned_[t.a][t.i] - other);
+    return r - (t.slipNormal & r)*t.slipNormal;
 }
 
 
-Foam::symmTensor Foam::contactStep::slipStiffness(const touch& t) const
+void Foam::contactStep::evaluateFriction(touch& t) const
 {
-    if (!rubs_ || t.pressed <= 0 || t.slipLength <= 0)
+    if (rubs_ && t.pressed > 0)
     {
-        return Zero;
+        t.sliding.evaluate(slip(t));
+        t.rolling.evaluate(roll(t));
     }
-    const vector s(slip(t));
-    const scalar root2 = magSqr(s) + sqr(t.slipLength);
-    return
-        friction(t)*t.pressed/Foam::sqrt(root2)
-       *(symmTensor::I - sqr(t.slipNormal) - sqr(s)/root2);
+    else
+    {
+        t.sliding = t.rolling = {0, 0, Zero, 0};
+    }
 }
 
 
@@ -136,12 +158,13 @@ void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
         {
             continue;
         }
-        const Eigen::Matrix3d A(matrix(slipStiffness(t)));
+        const Eigen::Matrix3d A(matrix(t.sliding.tangent(slip(t), t.slipNormal)));
         const Eigen::Matrix3d N(t.arm*crossing(t.slipNormal));
         clumpTangent::block& D = K.diagonal(t.i);
         D.topRightCorner<3, 3>() += A*N;
         D.bottomLeftCorner<3, 3>() += N.transpose()*A;
-        D.bottomRightCorner<3, 3>() += N.transpose()*A*N;
+        D.bottomRightCorner<3, 3>() +=
+            N.transpose()*A*N + matrix(t.rolling.tangent(roll(t), t.slipNormal));
     }
 }
 
@@ -167,9 +190,10 @@ void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
             (
                 t.otherArm*(n ^ turns[t.slot][t.j]) - dx
             );
-            const vector f(slipStiffness(t) & ofOther);
+            const vector f(t.sliding.tangent(slip(t), n) & ofOther);
+            const vector moment(t.rolling.tangent(roll(t), n) & turns[t.slot][t.j]);
             Ap[m].segment<3>(6*t.i) += column(f);
-            Ap[m].segment<3>(6*t.i + 3) += column(t.arm*(f ^ n));
+            Ap[m].segment<3>(6*t.i + 3) += column(t.arm*(f ^ n) - moment);
         }
     }
 }

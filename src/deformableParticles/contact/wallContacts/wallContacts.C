@@ -47,7 +47,7 @@ void Foam::wallContacts::update(const ghostExchange& ghosts)
 void Foam::wallContacts::updateMotions(const ghostExchange& ghosts)
 {
     const auto* U = mesh_.findObject<volVectorField>("U");
-    if (laws_.friction() <= 0 || !U)
+    if (!laws_.frictional() || !U)
     {
         return;
     }
@@ -61,7 +61,7 @@ void Foam::wallContacts::updateMotions(const ghostExchange& ghosts)
         bool rubs = false;
         forAll(types_, typei)
         {
-            rubs = rubs || laws_(typei, patchi).friction() > 0;
+            rubs = rubs || laws_(typei, patchi).frictional();
         }
         if (!rubs)
         {

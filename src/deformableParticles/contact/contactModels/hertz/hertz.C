@@ -69,6 +69,7 @@ Foam::contactModels::hertz::hertz(const dictionary& dict)
 :
     modulus_(readModulus(dict)),
     friction_(getBetweenOrDefault(dict, "friction", 0, 0, 10)),
+    rollingFriction_(getBetweenOrDefault(dict, "rollingFriction", 0, 0, 10)),
     damping_(0)
 {
     checkEntries
@@ -76,7 +77,7 @@ Foam::contactModels::hertz::hertz(const dictionary& dict)
         dict,
         {
             "type", "reducedModulus", "allowedOverlap", "stress", "restitution",
-            "friction"
+            "friction", "rollingFriction"
         }
     );
 

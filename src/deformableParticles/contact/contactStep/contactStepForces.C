@@ -25,6 +25,13 @@ void Foam::contactStep::begin(const scalar dt)
     move(true);
     if (rubs_)
     {
+        // What was solved in an earlier outer corrector is near the minimum
+        smoothing_ = 1;
+        for (const member& m : members_)
+        {
+            smoothing_ = m.guessed ? smoothing_ : 1000;
+        }
+        reduce(smoothing_, maxOp<scalar>());
         evaluate();
         setPressed();
     }

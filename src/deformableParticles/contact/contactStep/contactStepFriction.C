@@ -70,7 +70,7 @@ void Foam::contactStep::setPressed(touch& t) const
     t.slipNormal = t.n;
     const scalar friction = t.law ? t.law->friction() : 0;
     const scalar rolling = t.law ? t.law->rollingFriction() : 0;
-    const scalar moved = 1e-3*t.pressed*sqr(dt_)/max(t.m, VSMALL);
+    const scalar moved = 1e-3*smoothing_*t.pressed*sqr(dt_)/max(t.m, VSMALL);
     t.sliding = {friction*t.pressed, friction*moved, Zero, 0};
     t.rolling = {rolling*t.R*t.pressed, rolling*moved/t.R, Zero, 0};
 

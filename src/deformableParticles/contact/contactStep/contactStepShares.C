@@ -162,11 +162,12 @@ bool Foam::contactStep::redistribute()
     const labelList begins(begins_);
     const List<vectorField> forces(forces_);
 
+    bool changed = rubs_ && smoothing_ > 1;
+    smoothing_ = max(0.1*smoothing_, scalar(1));
     distribute(false);
     evaluate();
     setPressed();
     evaluate();
-    bool changed = false;
     forAll(forces_, m)
     {
         changed =

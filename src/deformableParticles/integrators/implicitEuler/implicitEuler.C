@@ -102,10 +102,7 @@ Foam::label Foam::integrators::implicitEuler::advance
     {
         converged = newton.minimise();
     }
-    // Where contacts change between sticking and slipping, the last digits do not settle;
-    // the forces of friction are those of 1 % anyway (see contactStep)
-    const bool good = converged || (group.turns() && newton.lastStep() < 1e-4);
-    if (!good && Pstream::master())
+    if (!converged && Pstream::master())
     {
         WarningInFunction
             << "Newton's method did not converge for the clumps that touch each"

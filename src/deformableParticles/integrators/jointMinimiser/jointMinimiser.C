@@ -249,12 +249,12 @@ void Foam::jointMinimiser::takeStep()
         (
             (
                 sums_.x() <= sums0.x()
-             && (attempt == 0 || attempt > 30 || mag(slope) < 0.5*slope0)
+             && (attempt > 30 || mag(slope) < 0.5*slope0)
             )
          || lastStep_ <= tolerance_
          || (
                 (sums_.x() <= sums0.x() + rounding || lastStep_ < close)
-             && sums_.y() < sums0.y()
+             && sums_.y() < 0.25*sums0.y()
             )
         )
         {

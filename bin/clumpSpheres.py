@@ -1,4 +1,5 @@
-"""Reads the spheres that the function object vtkClumps has written to VTK/clumps.
+"""Reads the spheres that the function object vtkClumps has written to VTK/clumps, whole (.vtp) or
+in a piece per processor (.pvtp).
 
     from clumpSpheres import drawSpheres, frames, spheres, typeNames
     time, path = frames("case")[-1]
@@ -10,6 +11,7 @@
 import json
 import os
 import sys
+from xml.etree import ElementTree
 
 
 # Of the types in their order, for pictures
@@ -29,12 +31,20 @@ def typeColour(kind):
     return list(TYPE_COLOURS.items())[kind % len(TYPE_COLOURS)]
 
 
+def seriesFile(case="."):
+    """The list of the times of the spheres, None where there is none."""
+    paths = (os.path.join(case, "VTK", "clumps", f"spheres.{kind}.series")
+             for kind in ("pvtp", "vtp"))
+    return next(filter(os.path.exists, paths), None)
+
+
 def frames(case="."):
     """The times that were written [s] and their files."""
+    series = seriesFile(case)
     folder = os.path.join(case, "VTK", "clumps")
-    series = os.path.join(folder, "spheres.vtp.series")
-    if not os.path.exists(series):
-        sys.exit(f"There is no {series}; the function object vtkClumps writes it")
+    if not series:
+        path = os.path.join(folder, "spheres.vtp.series")
+        sys.exit(f"There is no {path}; the function object vtkClumps writes it")
     with open(series) as file:
         result = [(f["time"], os.path.join(folder, f["name"])) for f in json.load(file)["files"]]
     if not result:
@@ -43,8 +53,8 @@ def frames(case="."):
 
 
 def read(path):
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-    reader = vtkXMLPolyDataReader()
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
+    reader = vtkXMLPPolyDataReader() if path.endswith(".pvtp") else vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
@@ -52,6 +62,10 @@ def read(path):
 
 def typeNames(path):
     """Names of the types, in the order of the numbers in the array `type`."""
+    if path.endswith(".pvtp"):
+        # Texts are in the pieces
+        piece = next(ElementTree.parse(path).iter("Piece")).get("Source")
+        path = os.path.join(os.path.dirname(path), piece)
     names = read(path).GetFieldData().GetAbstractArray("typeNames")
     return [names.GetValue(k) for k in range(names.GetNumberOfValues())] if names else []
 

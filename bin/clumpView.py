@@ -19,11 +19,12 @@ from paraview.simple import (
 def clumps(view):
     """The surfaces, or the spheres in their size."""
     folder = os.path.join("VTK", "clumps")
-    surfaces = os.path.join(folder, "surfaces.vtp.series")
-    smooth = os.path.exists(surfaces)
-    path = os.path.abspath(surfaces if smooth else os.path.join(folder, "spheres.vtp.series"))
-    if not os.path.exists(path):
-        sys.exit(f"There is no {path}; the function object vtkClumps writes it")
+    paths = [os.path.abspath(os.path.join(folder, name + ".series"))
+             for name in ("surfaces.vtp", "spheres.pvtp", "spheres.vtp")]
+    path = next(filter(os.path.exists, paths), None)
+    if not path:
+        sys.exit(f"There is no {paths[-1]}; the function object vtkClumps writes it")
+    smooth = path == paths[0]
     shown = Show(OpenDataFile(path), view)
     if not smooth:
         shown.SetRepresentationType("Point Gaussian")

@@ -17,6 +17,12 @@ Description
     Clumps that cross a wall or an open patch are a fatal error. Clumps of the start
     time are replaced; those that a run has written only with the option -overwrite.
 
+    It also writes the field clumpWork, the work of each mesh cell and of the clumps
+    whose centres it has, for the entry weightField of decomposeParDict (see
+    clumpWork). -cellsPerSphere <n> is the work of a sphere in mesh cells that
+    rbcIbFoam prints at the end of a run, default 30. With -work the clumps of the
+    start time remain, and only this field is written.
+
     rbcIbFoam places the clumps by itself where the start time has none.
 
     With -template <name> it only writes constant/clumpProperties with a single clump
@@ -27,10 +33,33 @@ Description
 
 #include "fvCFD.H"
 #include "caseTemplate.H"
+#include "clumpWork.H"
 #include "deformableCloud.H"
 #include "surfaceCrossing.H"
 #include "timeDirectories.H"
 #include "vtkClumps.H"
+
+namespace
+{
+
+//- Write the field, and tell its largest value
+void writeWork(const Foam::deformableCloud& cloud, const Foam::scalar cellsPerSphere)
+{
+    using namespace Foam;
+
+    const clumpWork work(cloud, cellsPerSphere);
+    const tmp<volScalarField> tfield(work.field());
+    tfield().write();
+    if (Pstream::parRun())
+    {
+        work.print(Info);
+    }
+    Info<< "Wrote the work of the mesh cells, " << gSum(tfield().primitiveField())
+        << " with the clumps, to " << tfield().time().timeName()/tfield().name() << nl;
+}
+
+}
+
 
 int main(int argc, char* argv[])
 {
@@ -47,6 +76,15 @@ int main(int argc, char* argv[])
         "Write a constant/clumpProperties with a clump: healthy, bead, ..."
     );
     argList::addOption("diameter", "m", "Of the template bead");
+    argList::addBoolOption
+    (
+        "work",
+        "Only write the field clumpWork, of the clumps of the start time"
+    );
+    argList::addOption
+    (
+        "cellsPerSphere", "n", "Work of a sphere in clumpWork, default 30"
+    );
 
     #include "setRootCase.H"
     #include "createTime.H"
@@ -73,7 +111,30 @@ int main(int argc, char* argv[])
             << "The option -diameter belongs to -template bead." << exit(FatalError);
     }
 
+    const scalar cellsPerSphere = args.getOrDefault<scalar>
+    (
+        "cellsPerSphere", clumpWork::usualCellsPerSphere
+    );
+    if (!(cellsPerSphere >= 0 && cellsPerSphere < GREAT))
+    {
+        FatalErrorInFunction
+            << "-cellsPerSphere must not be negative: " << cellsPerSphere
+            << exit(FatalError);
+    }
+
     const fileName folder(runTime.timePath()/Foam::cloud::prefix/"clumps");
+    if (args.found("work"))
+    {
+        if (!returnReduce(isDir(folder), orOp<bool>()))
+        {
+            FatalErrorInFunction
+                << "There are no clumps in " << folder
+                << "; setClumps without -work places them." << exit(FatalError);
+        }
+        writeWork(deformableCloud(mesh), cellsPerSphere);
+        Info<< "End" << nl << endl;
+        return 0;
+    }
     if
     (
         isDir(folder) && isFile(runTime.timePath()/"uniform"/"time")
@@ -116,6 +177,7 @@ int main(int argc, char* argv[])
     }
     rm(runTime.timePath()/"uniform"/(cloud.name() + "Count"));
     cloud.write();
+    writeWork(cloud, cellsPerSphere);
     functionObjects::vtkClumps("vtkClumps", runTime, dictionary()).write();
 
     Info<< "Wrote " << cloud.nClumps() << " clumps to "

@@ -303,3 +303,47 @@ TEST_CASE("cloud: an iteration sees the clumps where the step began", "[cloud][c
     const scalarField Q(mesh.V()*t.boundary().dilation().primitiveField());
     CHECK(mag(gSum(Q)) < 1e-12*gSum(mag(Q)));
 }
+
+
+TEST_CASE("cloud: every mesh cell moves with the nearest clump", "[cloud]")
+{
+    const List<point> centres
+    ({
+        point(2.3e-6, 9.1e-6, 3.7e-6), point(16.9e-6, 10.3e-6, 5.2e-6),
+        point(9.7e-6, 11.4e-6, 16.8e-6)
+    });
+    const List<vector> u
+    ({
+        vector(1e-3, 0, 0), vector(0, 2e-3, 0), vector(0, 0, 3e-3)
+    });
+    testCloud t(centres[0], u[0], Zero, "wholeClump", false);
+    t.add(centres[1], u[1]);
+    t.add(centres[2], u[2]);
+
+    const tmp<volVectorField> found(t.cloud().displacement());
+    const scalar half = 0.5*testTime().deltaTValue();
+    scalar worst = 0;
+    const vectorField& x = testMesh().cellCentres();
+    forAll(x, celli)
+    {
+        scalar least = GREAT;
+        vector expected(Zero);
+        forAll(centres, k)
+        {
+            for (const scalar i : {-1.0, 0.0, 1.0})
+            {
+                for (const scalar j : {-1.0, 0.0, 1.0})
+                {
+                    const point c(centres[k] + 20e-6*vector(i, 0, j));
+                    if (mag(c - x[celli]) < least)
+                    {
+                        least = mag(c - x[celli]);
+                        expected = half*u[k];
+                    }
+                }
+            }
+        }
+        worst = max(worst, mag(found()[celli] - expected));
+    }
+    CHECK(returnReduce(worst, maxOp<scalar>()) < 1e-9*half*1e-3);
+}

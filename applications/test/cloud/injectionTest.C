@@ -166,11 +166,12 @@ TEST_CASE("injection: random lines hit a patch uniformly", "[injection]")
     // Cauchy and Crofton: area over twice that of the disc of the sphere around it
     label nHits = 0;
     vector mean(Zero);
-    for
+    List<patchLines::hit> hits
     (
-        const patchLines::hit& h
-      : lines.shoot(n, random, [](const label) { return 1; })
-    )
+        lines.shoot(n, random, [](const label) { return 1; })
+    );
+    patchLines::combine(hits);
+    for (const patchLines::hit& h : hits)
     {
         if (h.place < GREAT)
         {
@@ -190,7 +191,9 @@ TEST_CASE("injection: random lines hit a patch uniformly", "[injection]")
     {
         return mesh->faceCentres()[facei].y()/20e-6;
     };
-    for (const patchLines::hit& h : lines.shoot(n, random, chance))
+    hits = lines.shoot(n, random, chance);
+    patchLines::combine(hits);
+    for (const patchLines::hit& h : hits)
     {
         if (h.place < GREAT)
         {
@@ -321,6 +324,39 @@ TEST_CASE("injection: a restart goes on as the whole run", "[injection]")
         (
             third.clumps->first()->position() != fourth.clumps->first()->position()
         );
+    }
+}
+
+
+TEST_CASE("injection: several at once are those of one after the other", "[injection]")
+{
+    // A new source tries one clump first, one that has put in some tries more at once
+    const string text(rateOf(6, "fractions { healthy 0.2; ball 0.8; } nTries 20;"));
+    device several(text), single(text);
+    label most = 0;
+    for (label k = 0; k < 4; ++k)
+    {
+        const label before = several.size();
+        several.step();
+        single.step();
+        most = max(most, several.size() - before);
+
+        dictionary state;
+        single.source->writeState(state);
+        single.source = single.newSource(text);
+        single.source->readState(state);
+    }
+    CHECK(most > 1);
+    CHECK(several.source->nWaiting() > 0);
+    CHECK(several.leastGap() >= 0);
+    REQUIRE(several.size() == single.size());
+    auto other = single.clumps->cbegin();
+    for (const clumpParcel& p : *several.clumps)
+    {
+        CHECK(p.typeId() == (*other).typeId());
+        CHECK(p.position() == (*other).position());
+        CHECK(p.state().x == (*other).state().x);
+        ++other;
     }
 }
 

@@ -7,7 +7,9 @@
 #include "testCase.H"
 #include "foamCompat.H"
 #include "placement.H"
+#include "randomSeed.H"
 #include "sizeClasses.H"
+#include <cstdlib>
 
 using namespace Foam;
 
@@ -308,6 +310,30 @@ TEST_CASE("placement: the seed decides", "[placement]")
     const point one(first("1"));
     CHECK(first("1") == one);
     CHECK(first("2") != one);
+}
+
+
+TEST_CASE("placement: seeds are those of labels of any size", "[placement][serial]")
+{
+    // The numbers of POSIX, two for a number in [0, 1)
+    for (const label seed : {1, 7, 2147483646})
+    {
+        Random random(seed);
+        srand48(seed);
+        for (label k = 0; k < 100; ++k)
+        {
+            const double low = lrand48();
+            const double high = lrand48();
+            const double sample = (low + 2147483648.0*high)/4611686018427387904.0;
+            CHECK(randomSeed(random) == label(int64_t(2147483647.0*sample)));
+        }
+    }
+
+    // Three numbers of 32 bits, lowest byte first
+    const unsigned char bytes[] = {5, 0, 0, 0, 1, 0, 0, 0, 0x39, 0x30, 0, 0};
+    const word name("inlet");
+    const unsigned hash = Hasher(bytes, 12, Hasher(name.c_str(), name.size()));
+    CHECK(randomSeed(name, 5, 1, 12345) == label(hash & 0x7fffffff));
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
+#include "nearestCentres.H"
 #include "pointGrid.H"
 #include "Random.H"
 #include "sphereDistance.H"
@@ -135,4 +136,56 @@ TEST_CASE("sphere distance: that of the union", "[pointGrid][boundary]")
          == Approx(sphereUnion::distance(p, centres, wider)).margin(1e-14)
         );
     }
+}
+
+
+TEST_CASE("nearest centres: those of all, at a linear cost", "[pointGrid][boundary]")
+{
+    // As many centres per volume, in a space eight times as large
+    const scalar reach = GENERATE(0.05, 0.2, 10.0);
+    Random random(5);
+    labelList compared(2);
+    for (const label larger : {0, 1})
+    {
+        const label n = larger ? 1600 : 200;
+        const scalar width = larger ? 2 : 1;
+        pointField centres(n), points(8*n);
+        for (pointField* x : {&centres, &points})
+        {
+            for (point& p : *x)
+            {
+                p = width*randomPoint(random);
+            }
+        }
+        const labelList found
+        (
+            nearestCentres(points, centres, reach, &compared[larger])
+        );
+
+        label wrong = 0, none = 0;
+        forAll(points, k)
+        {
+            scalar least = sqr(reach);
+            label expected = -1;
+            forAll(centres, i)
+            {
+                const scalar d = magSqr(centres[i] - points[k]);
+                if (d < least)
+                {
+                    least = d;
+                    expected = i;
+                }
+            }
+            wrong += found[k] != expected;
+            none += expected < 0;
+        }
+        CHECK(wrong == 0);
+        CHECK((none > 0) == (reach < 1));
+    }
+    INFO(compared[0] << " and " << compared[1] << " comparisons");
+    CHECK(compared[1] < 1.5*8*compared[0]);
+
+    // None, and one
+    CHECK(nearestCentres(pointField(1), pointField(), 1)[0] == -1);
+    CHECK(nearestCentres(pointField(3, point::zero), pointField(1, point::one), 2)[2] == 0);
 }

@@ -282,6 +282,97 @@ TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
 }
 
 
+TEST_CASE("contact shares: the cost of a long contact is linear", "[contact][walls][serial]")
+{
+    // Two bent chains side by side, and one of them on walls
+    labelList ofPairs(2), ofWall(2);
+    for (const label twice : {0, 1})
+    {
+        const label n = twice ? 400 : 200;
+        const scalarField radii(n, r);
+        pointField x(n), y(n);
+        List<contactShares::pair> pairs;
+        List<contactShares::wallContact> contacts(n);
+        DynamicList<contactShares::pair> touching;
+        forAll(x, i)
+        {
+            x[i] = r*vector(i, 3*Foam::sin(0.05*i), 0);
+            y[i] = x[i] + r*vector(0, 0, 1.9 + 0.05*Foam::sin(scalar(i)));
+            const scalar overlap = 0.01*r*(1.2 + Foam::cos(0.3*i));
+            contacts[i] =
+            {
+                i, {vector(0, 0, 1), overlap, 1, 0}, symmTensor::zero, 0, 0
+            };
+        }
+        forAll(x, i)
+        {
+            for (label j = max(i - 1, 0); j < min(i + 2, n); ++j)
+            {
+                // Some do not touch yet
+                const vector d(x[i] - y[j]);
+                touching.append({0, i, 1, j, d/mag(d), 2*r - mag(d), 1, 0});
+            }
+        }
+        pairs = touching;
+
+        ofPairs[twice] = contactShares::set(pairs, x, radii, y, radii);
+        ofWall[twice] = contactShares::shareWalls(contacts, x, radii);
+
+        // As the class says, over all
+        scalar worst = 0;
+        for (const contactShares::pair& p : pairs)
+        {
+            scalar sum = 0, depth = 0;
+            for (const contactShares::pair& q : pairs)
+            {
+                const scalar W = Foam::exp
+                (
+                   -(magSqr(x[p.i] - x[q.i]) + magSqr(y[p.j] - y[q.j]))/sqr(r)
+                );
+                if (q.overlap > 0)
+                {
+                    sum += sqr(q.overlap)*W;
+                    depth = max(depth, q.overlap*Foam::sqrt(W));
+                }
+            }
+            const scalar share =
+                p.overlap > 0
+              ? sqr(p.overlap)/sum : sqr(depth)/(sqr(depth) + sum);
+            worst = max(worst, mag(p.share - share));
+            worst = max
+            (
+                worst, mag(p.depth - (p.overlap > 0 ? depth : p.overlap))/r
+            );
+        }
+        CHECK(worst < 1e-14);
+
+        worst = 0;
+        for (const contactShares::wallContact& c : contacts)
+        {
+            scalar sum = 0, deepest = 0;
+            for (const contactShares::wallContact& d : contacts)
+            {
+                const scalar G =
+                    sqr(d.wall.overlap)
+                   *Foam::exp(-2*magSqr(x[c.i] - x[d.i])/sqr(r));
+                sum += G;
+                deepest = max(deepest, G);
+            }
+            worst = max(worst, mag(c.share - sqr(c.wall.overlap)/sum));
+            worst = max(worst, mag(c.depth - Foam::sqrt(deepest))/r);
+        }
+        CHECK(worst < 1e-14);
+    }
+    INFO
+    (
+        "kernels: pairs " << ofPairs[0] << " and " << ofPairs[1]
+     << ", walls " << ofWall[0] << " and " << ofWall[1]
+    );
+    CHECK(ofPairs[1] < 2.2*ofPairs[0]);
+    CHECK(ofWall[1] < 2.2*ofWall[0]);
+}
+
+
 TEST_CASE("contact shares: two rings of a cloud", "[contact][serial]")
 {
     // The momentum that a ring gains in a short step

@@ -331,6 +331,104 @@ TEST_CASE
 }
 
 
+TEST_CASE("boundary: a clump of many spheres is as one of few", "[boundary][serial]")
+{
+    // Many are found in a grid, and have no weight far away: beside a chain of 32 a
+    // sphere more, far from it, changes nothing there
+    const word fraction = GENERATE(word("signedDistance"), word("tetClipping"));
+    const fvMesh& mesh = testMesh();
+    const scalar radius = 1.1e-6;
+    List<scalarField> fractions(2), strengths(2);
+    List<vectorField> velocities(2);
+    pointField x(33);
+    vectorField u(33), omega(33);
+    Random random(9);
+    forAll(x, i)
+    {
+        x[i] = point(2.1e-6 + 0.5e-6*i, 6e-6 + 2e-6*Foam::sin(0.3*i), 5.3e-6);
+        u[i] = 1e-3*randomVector(random);
+        omega[i] = 100*randomVector(random);
+    }
+    x[32] = point(9.7e-6, 16e-6, 17e-6);
+
+    for (const label more : {0, 1})
+    {
+        const label n = 32 + more;
+        dictionary dict(cellDict());
+        dict.set
+        (
+            "shape",
+            dictOf
+            (
+                "type chain; nSpheres " + Foam::name(n)
+              + "; sphereRadius 1.1e-6; spacing 0.5e-6;"
+            )
+        );
+        PtrList<clumpType> types(1);
+        types.set(0, new clumpType("chain", dict));
+
+        clumpImage image;
+        image.typeId = 0;
+        image.x = SubList<point>(x, n);
+        image.u = SubList<vector>(u, n);
+        image.omega = SubList<vector>(omega, n);
+        image.box = boundBox(image.x, false);
+        image.box.min() -= radius*vector::one;
+        image.box.max() += radius*vector::one;
+        image.clearForces();
+
+        immersedBoundary boundary
+        (
+            mesh, types,
+            dictOf
+            (
+                "solidFraction { type " + fraction + "; }"
+                "forcing { type sharp; }"
+                "hydrodynamicForce { type momentumExchange; }"
+                "interiorDilation no;"
+            )
+        );
+        const volScalarField viscosity
+        (
+            IOobject("testNu", testTime().timeName(), mesh),
+            mesh, dimensionedScalar("nu", dimViscosity, 1.171e-6)
+        );
+        List<clumpImage> images(1, image);
+        boundary.update(images, viscosity);
+        boundary.impose(images);
+        fractions[more] = boundary.solidFraction().primitiveField();
+        strengths[more] = boundary.strength().primitiveField();
+        velocities[more] = boundary.solidVelocity().primitiveField();
+    }
+
+    label nForced = 0, nOfTheOther = 0;
+    scalar worst = 0;
+    forAll(fractions[0], celli)
+    {
+        if (mag(mesh.C()[celli] - x[32]) < 4e-6)
+        {
+            nOfTheOther += strengths[1][celli] > 0;
+            continue;
+        }
+        nForced += strengths[0][celli] > 0;
+        worst = max(worst, mag(fractions[1][celli] - fractions[0][celli]));
+        worst = max
+        (
+            worst,
+            mag(strengths[1][celli] - strengths[0][celli])/max(strengths[0])
+        );
+        worst = max
+        (
+            worst,
+            mag(velocities[1][celli] - velocities[0][celli])/max(mag(u))
+        );
+    }
+    CHECK(nForced > 50);
+    CHECK(nOfTheOther > 5);
+    CHECK(worst < 1e-12);
+}
+
+
 TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][serial]")
 {
     const word fraction = GENERATE

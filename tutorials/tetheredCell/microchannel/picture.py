@@ -2,10 +2,12 @@
 
 from paraview.simple import *
 import glob
-import re
+import json
 
-files = glob.glob('VTK/clumps/spheres_*.vtp')
-number = {f: int(re.findall(r'_(\d+)\.vtp', f)[0]) for f in files}
+# Whole, or in a piece per processor
+series = sorted(glob.glob('VTK/clumps/spheres.*vtp.series'))[0]
+with open(series) as file:
+    last = 'VTK/clumps/' + json.load(file)['files'][-1]['name']
 
 flow = OpenFOAMReader(FileName='case.foam')
 flow.MeshRegions = ['internalMesh']
@@ -15,7 +17,7 @@ times = flow.TimestepValues
 time = times[-1] if hasattr(times, '__len__') else times
 flow.UpdatePipeline(time)
 
-spheres = XMLPolyDataReader(FileName=[max(files, key=number.get)])
+spheres = OpenDataFile(last)
 spheres.UpdatePipeline()
 
 view = CreateView('RenderView')

@@ -23,6 +23,8 @@ for number in numbers:
                    cost("flow", number, "cells"), "us", "time breakdown")
 
 STEP = 0.5      # ms
+SPHERES = 10            # of a red cell
+MESH_CELLS = 41*27*27   # of the shear box
 dense = read("haematocrits.csv")
 at_one_speed(dense, "cpu_ms_per_step")
 results.report("unit case", dense[0]["unit_s"], "s", "how fast the machine is")
@@ -34,6 +36,12 @@ for row in dense:
     for key, value in row.items():
         if key.endswith("_percent"):
             results.report(f"{name}: share of {key[:-8]}", value, "%", "time breakdown")
+    # What decomposePar's weights are made of (clumpWork)
+    clumps = sum(row[f"{part}_percent"] for part in
+                 ("solid fraction", "force integral", "clumps", "contact", "walls"))
+    results.report(f"{name}: work of a sphere in mesh cells",
+                   clumps/(row["cells"]*SPHERES)/(row["flow_percent"]/MESH_CELLS), "-",
+                   "time breakdown")
 few, many = dense[0], dense[-1]
 results.report("memory per cell", 1024*(many["memory_MB"] - few["memory_MB"])
                / (many["cells"] - few["cells"]), "kB", "largest resident set, same mesh")

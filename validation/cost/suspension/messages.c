@@ -1,12 +1,13 @@
 /* Counts what a rank sends: loaded before MPI, prints at the end of the run
-       messages <rank> <sent> <bytes> <collective operations>
+       messages <rank> <sent> <bytes> <collective operations> <of the sent ones, in trees>
    Sent are MPI_Send, MPI_Bsend and MPI_Isend, collective MPI_Allreduce and MPI_Alltoall, which are
-   those that OpenFOAM calls in a step. MPI's profiling interface (MPI standard, chapter "Profiling Interface") gives every
-   function a second name with the prefix P. */
+   those that OpenFOAM calls in a step. OpenFOAM sends by MPI_Send what it gathers and scatters along
+   a tree of the ranks, and by the others what goes to neighbours. MPI's profiling interface (MPI
+   standard, chapter "Profiling Interface") gives every function a second name with the prefix P. */
 #include <mpi.h>
 #include <stdio.h>
 
-static long long sent, bytes, collective;
+static long long sent, bytes, collective, trees;
 
 static void count(int n, MPI_Datatype type)
 {
@@ -19,6 +20,7 @@ static void count(int n, MPI_Datatype type)
 int MPI_Send(const void* p, int n, MPI_Datatype t, int to, int tag, MPI_Comm c)
 {
     count(n, t);
+    ++trees;
     return PMPI_Send(p, n, t, to, tag, c);
 }
 
@@ -59,6 +61,6 @@ int MPI_Finalize(void)
 {
     int rank;
     PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    fprintf(stderr, "messages %d %lld %lld %lld\n", rank, sent, bytes, collective);
+    fprintf(stderr, "messages %d %lld %lld %lld %lld\n", rank, sent, bytes, collective, trees);
     return PMPI_Finalize();
 }

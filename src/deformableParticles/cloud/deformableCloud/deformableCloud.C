@@ -91,8 +91,9 @@ void Foam::deformableCloud::moveParcels()
     Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
     if (injector_->inject(*this, count_))
     {
-        // The distances to the walls were measured without the new clumps
-        renewWalls();
+        // The distances to the walls were measured without the new clumps. The
+        // walls themselves depend on the mesh and the neighbours only
+        walls_.newClumps();
     }
 
     count_.endStep(size());

@@ -5,7 +5,8 @@
 
 #include "deformableCloud.H"
 #include "nearestCentres.H"
-#include "PstreamBuffers.H"
+#include "IPstream.H"
+#include "OPstream.H"
 
 Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
 {
@@ -29,17 +30,19 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
     }
 
     // To every processor the clumps and periodic images within reach of its box
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    for (label proci = 0; proci < Pstream::nProcs(); ++proci)
+    const auto imagesOf = [&]
+    (
+        const ghostExchange::partner& to,
+        DynamicList<point>& images,
+        DynamicList<vector>& ofImages
+    )
     {
-        boundBox box(ghosts_.box(proci));
+        boundBox box(ghosts_.box(to.proci));
         box.min() -= reach*vector::one;
         box.max() += reach*vector::one;
-
-        DynamicList<point> images;
-        DynamicList<vector> ofImages;
-        for (const vector& shift : ghosts_.shifts())
+        for (const label s : to.shifts)
         {
+            const vector& shift = ghosts_.shifts()[s];
             forAll(from, k)
             {
                 if (box.contains(from[k] + shift))
@@ -49,22 +52,32 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
                 }
             }
         }
-        if (images.size())
+    };
+
+    const UList<ghostExchange::partner>& partners = ghosts_.partners(reach);
+    for (const ghostExchange::partner& to : partners)
+    {
+        if (to.proci != Pstream::myProcNo())
         {
-            UOPstream os(proci, buffers);
+            DynamicList<point> images;
+            DynamicList<vector> ofImages;
+            imagesOf(to, images, ofImages);
+            OPstream os(Pstream::commsTypes::blocking, to.proci);
             os << pointField(images) << vectorField(ofImages);
         }
     }
-    labelList sizes;
-    buffers.finishedSends(sizes);
 
     DynamicList<point> images;
     DynamicList<vector> ofImages;
-    forAll(sizes, proci)
+    for (const ghostExchange::partner& of : partners)
     {
-        if (sizes[proci])
+        if (of.proci == Pstream::myProcNo())
         {
-            UIPstream is(proci, buffers);
+            imagesOf(of, images, ofImages);
+        }
+        else
+        {
+            IPstream is(Pstream::commsTypes::blocking, of.proci);
             images.append(pointField(is));
             ofImages.append(vectorField(is));
         }

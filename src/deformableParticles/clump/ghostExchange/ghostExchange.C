@@ -94,6 +94,7 @@ Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
     mesh_(mesh),
     procBoxes_(Pstream::nProcs()),
     reach_(-1),
+    partnerDistance_(-1),
     nSearches_(0),
     nOwn_(0)
 {
@@ -240,6 +241,48 @@ void Foam::ghostExchange::findNeighbours(const scalar reach)
             }
         }
     }
+}
+
+
+const Foam::UList<Foam::ghostExchange::partner>&
+Foam::ghostExchange::partners(const scalar distance) const
+{
+    if (partnerDistance_ == distance)
+    {
+        return partners_;
+    }
+    partnerDistance_ = distance;
+
+    // Both of two partners compare the same numbers
+    const label me = Pstream::myProcNo();
+    DynamicList<partner> result;
+    forAll(procBoxes_, proci)
+    {
+        boundBox standing(procBoxes_[max(me, proci)]);
+        standing.min() -= 7*distance/6*vector::one;
+        standing.max() += 7*distance/6*vector::one;
+
+        partner found{proci, labelList()};
+        DynamicList<label> near;
+        forAll(shifts_, s)
+        {
+            const vector shift(me <= proci ? shifts_[s] : -shifts_[s]);
+            boundBox moved(procBoxes_[min(me, proci)]);
+            moved.min() += shift;
+            moved.max() += shift;
+            if (moved.overlaps(standing))
+            {
+                near.append(s);
+            }
+        }
+        if (near.size())
+        {
+            found.shifts = near;
+            result.append(found);
+        }
+    }
+    partners_ = result;
+    return partners_;
 }
 
 

@@ -4,8 +4,26 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactShares.H"
+#include "nearPoints.H"
 
-void Foam::contactShares::set
+namespace
+{
+
+using namespace Foam;
+
+//- Exponent beyond which a product of kernels is zero
+constexpr scalar largestExponent = 74;
+
+//- Distance [m] beyond which the kernel is below exp(-exponent)
+scalar reach(const scalar r, const scalar largest, const scalar exponent)
+{
+    return 1.001*Foam::sqrt(exponent*r*largest);
+}
+
+}
+
+
+Foam::label Foam::contactShares::set
 (
     UList<pair>& pairs,
     const UList<point>& xA,
@@ -14,20 +32,37 @@ void Foam::contactShares::set
     const UList<scalar>& rB
 )
 {
+    DynamicList<label> touching;
+    DynamicList<point> at;
+    forAll(pairs, k)
+    {
+        if (pairs[k].overlap > 0)
+        {
+            touching.append(k);
+            at.append(xA[pairs[k].i]);
+        }
+    }
+    nearPoints near(at);
+    const scalar largest = max(rA);
+    label nKernels = 0;
+
     for (pair& p : pairs)
     {
         scalar sum = 0;
         scalar depth = 0;
 
-        for (const pair& q : pairs)
+        const scalar within = reach(rA[p.i], largest, largestExponent);
+        for (const label k : near(xA[p.i], within))
         {
-            if (q.overlap <= 0)
+            const pair& q = pairs[touching[k]];
+            const scalar ofA = exponent(xA[p.i], xA[q.i], rA[p.i], rA[q.i]);
+            const scalar ofB = exponent(xB[p.j], xB[q.j], rB[p.j], rB[q.j]);
+            if (ofA + ofB > largestExponent)
             {
                 continue;
             }
-            const scalar W =
-                kernel(xA[p.i], xA[q.i], rA[p.i], rA[q.i])
-               *kernel(xB[p.j], xB[q.j], rB[p.j], rB[q.j]);
+            const scalar W = Foam::exp(-ofA)*Foam::exp(-ofB);
+            ++nKernels;
 
             sum += sqr(q.overlap)*W;
             depth = max(depth, q.overlap*Foam::sqrt(W));
@@ -43,6 +78,7 @@ void Foam::contactShares::set
             p.depth = p.overlap;
         }
     }
+    return nKernels;
 }
 
 
@@ -100,7 +136,7 @@ Foam::contactShares::filmsOfWalls
 }
 
 
-void Foam::contactShares::shareWalls
+Foam::label Foam::contactShares::shareWalls
 (
     UList<wallContact>& contacts,
     const UList<point>& x,
@@ -133,6 +169,20 @@ void Foam::contactShares::shareWalls
         return overlap2;
     };
 
+    DynamicList<label> touching;
+    DynamicList<point> at;
+    forAll(x, k)
+    {
+        if (first[k + 1] > first[k])
+        {
+            touching.append(k);
+            at.append(x[k]);
+        }
+    }
+    nearPoints near(at);
+    const scalar largest = max(r);
+    label nKernels = 0;
+
     for (wallContact& c : contacts)
     {
         scalar share;
@@ -141,19 +191,25 @@ void Foam::contactShares::shareWalls
         scalar sum = 0;
         scalar deepest = mean2;
 
-        forAll(x, k)
+        const scalar within = reach(r[c.i], largest, 0.5*largestExponent);
+        for (const label m : near(x[c.i], within))
         {
-            if (first[k + 1] > first[k])
+            const label k = touching[m];
+            const scalar e = exponent(x[c.i], x[k], r[c.i], r[k]);
+            if (2*e > largestExponent)
             {
-                const scalar W2 = sqr(kernel(x[c.i], x[k], r[c.i], r[k]));
-                const scalar G = sums(k, c.wall.normal, share)*W2;
-                sum += G;
-                deepest = max(deepest, G);
+                continue;
             }
+            const scalar G =
+                sums(k, c.wall.normal, share)*sqr(Foam::exp(-e));
+            ++nKernels;
+            sum += G;
+            deepest = max(deepest, G);
         }
         c.share = c.wall.share*own/sum;
         c.depth = c.wall.overlap*Foam::sqrt(deepest/mean2);
     }
+    return nKernels;
 }
 
 
@@ -168,7 +224,11 @@ Foam::scalar Foam::contactShares::mass
     scalar result = 0;
     forAll(x, k)
     {
-        result += masses[k]*sqr(kernel(x[i], x[k], r[i], r[k]));
+        const scalar e = exponent(x[i], x[k], r[i], r[k]);
+        if (2*e <= largestExponent)
+        {
+            result += masses[k]*sqr(Foam::exp(-e));
+        }
     }
     return result;
 }

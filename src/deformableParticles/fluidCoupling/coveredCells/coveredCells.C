@@ -4,7 +4,17 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coveredCells.H"
+#include "nearPoints.H"
 #include "sphereDistance.H"
+
+namespace
+{
+
+//- Of the weights: below exp(-this) times the largest one they are zero
+constexpr Foam::scalar largestExponent = 74;
+
+}
+
 
 void Foam::coveredCells::update
 (
@@ -40,24 +50,27 @@ void Foam::coveredCells::findCells
     const scalarField& radii = type.radii();
     const scalar smallest = min(radii);
     const scalar nReaches = forcing.nReaches();
-    const sphereDistance distance(centres_, radii);
+    const scalar largest = max(radii);
+    nearPoints near(centres_);
+    const sphereDistance toAll(centres_, radii);
 
     DynamicList<point> nearCentres;
     DynamicList<scalar> nearRadii;
 
-    cells_.clear();
-    for (const label celli : geometry.find(image.box, nReaches))
+    // spheres: those of the distance
+    const auto cover = [&]
+    (
+        const label celli,
+        const UList<label>& spheres,
+        const sphereDistance& distance
+    )
     {
         const cellGeometry::cell& c = geometry[celli];
-        if (magSqr(c.x - image.box.nearest(c.x)) > sqr(nReaches*c.reach))
-        {
-            continue;
-        }
         const scalar d = distance(c.x);
 
         if (d > nReaches*c.reach)
         {
-            continue;
+            return;
         }
 
         scalar fraction = d > c.reach ? 0 : 1;
@@ -67,7 +80,7 @@ void Foam::coveredCells::findCells
             nearRadii.clear();
             if (solidFraction.needsSpheres())
             {
-                forAll(centres_, i)
+                for (const label i : spheres)
                 {
                     // The others do not reach into the cell
                     if (mag(c.x - centres_[i]) < radii[i] + c.reach)
@@ -113,44 +126,117 @@ void Foam::coveredCells::findCells
                 }
             );
         }
+    };
+
+    DynamicList<point> someCentres;
+    DynamicList<scalar> someRadii;
+    cells_.clear();
+    for (const label celli : geometry.find(image.box, nReaches))
+    {
+        const cellGeometry::cell& c = geometry[celli];
+        if (magSqr(c.x - image.box.nearest(c.x)) > sqr(nReaches*c.reach))
+        {
+            continue;
+        }
+        if (near.few())
+        {
+            cover(celli, near(c.x, 0), toAll);
+            continue;
+        }
+
+        // The forcing asks for the distance on the lines to the neighbours, where
+        // it may see larger radii
+        const UList<label>& spheres = near
+        (
+            c.x,
+            largest + max(nReaches*c.reach, c.longestLine) + 2*c.width
+        );
+        someCentres.clear();
+        someRadii.clear();
+        for (const label i : spheres)
+        {
+            someCentres.append(centres_[i]);
+            someRadii.append(radii[i]);
+        }
+        if (spheres.size())
+        {
+            cover(celli, spheres, sphereDistance(someCentres, someRadii));
+        }
     }
 }
 
 
 void Foam::coveredCells::setWeights(const clumpType& type)
 {
-    const label n = type.size();
     const scalarField radiiSqr(sqr(type.radii()));
-
-    weights_.setSize(n*cells_.size());
     slopes_ = -2/sqr(type.transitions());
 
+    // ln g of a sphere
+    const auto logOf = [&](const label i, const point& x)
+    {
+        return 0.5*slopes_[i]*(magSqr(x - centres_[i]) - radiiSqr[i]);
+    };
+    nearPoints near(centres_);
+    const scalar widestSqr = sqr(max(type.transitions()));
+    const scalar largestSqr = max(radiiSqr);
+
+    // Within which the ln g of a sphere is not too far below another
+    const auto within = [&](const scalar other)
+    {
+        return 1.001*Foam::sqrt
+        (
+            largestSqr + widestSqr*max(largestExponent - other, scalar(0))
+        );
+    };
+
+    weights_.clear();
+    starts_.setSize(cells_.size() + 1);
+    starts_[0] = 0;
     forAll(cells_, k)
     {
         const point& x = cells_[k].x;
-        scalar* w = weights_.data() + n*k;
+
+        // Of any sphere; the nearer, the fewer are looked at then
+        scalar some = logOf(0, x);
+        if (!near.few())
+        {
+            for (const label i : near(x, Foam::sqrt(largestSqr)))
+            {
+                some = max(some, logOf(i, x));
+            }
+        }
 
         // The largest exponent taken out: the sum is never zero
+        const UList<label>& around = near(x, within(some));
+        const label first = weights_.size();
         scalar largest = -VGREAT;
-        for (label i = 0; i < n; ++i)
+        for (const label i : around)
         {
-            w[i] = 0.5*slopes_[i]*(magSqr(x - centres_[i]) - radiiSqr[i]);
-            largest = max(largest, w[i]);
+            weights_.append({i, logOf(i, x)});
+            largest = max(largest, weights_.last().w);
         }
 
         scalar sum = 0;
-        for (label i = 0; i < n; ++i)
+        label end = first;
+        for (label m = first; m < weights_.size(); ++m)
         {
-            w[i] = Foam::exp(max(w[i] - largest, scalar(-200)));
-            sum += w[i];
+            const scalar e = weights_[m].w - largest;
+            if (e >= -largestExponent)
+            {
+                weights_[end] = {weights_[m].i, Foam::exp(e)};
+                sum += weights_[end++].w;
+            }
         }
+        weights_.setSize(end);
 
         vector mean(Zero);
-        for (label i = 0; i < n; ++i)
+        for (label m = first; m < end; ++m)
         {
-            w[i] /= sum;
-            mean += w[i]*(slopes_[i]*(x - centres_[i]));
+            sphereWeight& s = weights_[m];
+            s.w /= sum;
+            mean += s.w*(slopes_[s.i]*(x - centres_[s.i]));
         }
         cells_[k].meanSlope = mean;
+        starts_[k + 1] = end;
     }
 }

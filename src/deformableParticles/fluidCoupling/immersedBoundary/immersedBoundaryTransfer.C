@@ -20,14 +20,18 @@ vector reaction(const hydrodynamicForceModel::flow& f, const label celli)
 }
 
 //- Velocity that an image imposes at x, with the weights of its spheres
-vector imposed(const clumpImage& image, const point& x, const scalar* w)
+vector imposed
+(
+    const clumpImage& image, const point& x, const UList<sphereWeight>& weights
+)
 {
     vector result(Zero);
-    forAll(image.x, i)
+    for (const sphereWeight& s : weights)
     {
+        const label i = s.i;
         const vector r(x - image.x[i]);
         result +=
-            w[i]*(image.u[i] + (image.omega[i] ^ r) + image.contraction*r);
+            s.w*(image.u[i] + (image.omega[i] ^ r) + image.contraction*r);
     }
     return result;
 }
@@ -61,7 +65,8 @@ void Foam::immersedBoundary::setTensions(UList<clumpImage>& images) const
         []
         (
             clumpImage& image, const coveredCells& covered,
-            const coveredCell& c, const scalar* w, const scalar
+            const coveredCell& c, const UList<sphereWeight>& weights,
+            const scalar
         )
         {
             if (c.solid == 0)
@@ -71,10 +76,11 @@ void Foam::immersedBoundary::setTensions(UList<clumpImage>& images) const
             const scalar V = c.volume*c.solid;
             imageForces& tension = image.tension;
             tension.c += 3*V;
-            forAll(image.x, i)
+            for (const sphereWeight& s : weights)
             {
+                const label i = s.i;
                 const vector r(c.x - image.x[i]);
-                const vector g(V*covered.gradWeight(c, i, w[i], r));
+                const vector g(V*covered.gradWeight(c, i, s.w, r));
                 tension.f[i] += g;
                 tension.t[i] += r ^ g;
                 tension.c += r & g;
@@ -96,14 +102,16 @@ void Foam::immersedBoundary::sampleVelocity
         [&U]
         (
             clumpImage& image, const coveredCells&,
-            const coveredCell& c, const scalar* w, const scalar
+            const coveredCell& c, const UList<sphereWeight>& weights,
+            const scalar
         )
         {
             const scalar V = c.volume*c.solid;
-            forAll(image.x, i)
+            for (const sphereWeight& s : weights)
             {
-                image.fluid.f[i] += V*w[i]*U[c.celli];
-                image.fluid.t[i] += V*w[i]*vector::one;
+                const label i = s.i;
+                image.fluid.f[i] += V*s.w*U[c.celli];
+                image.fluid.t[i] += V*s.w*vector::one;
             }
         }
     );
@@ -129,11 +137,12 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
         [this]
         (
             const clumpImage& image, const coveredCells& covered,
-            const coveredCell& c, const scalar* w, const scalar share
+            const coveredCell& c, const UList<sphereWeight>& weights,
+            const scalar share
         )
         {
             const bool dilates = dilates_ && c.solid > 0;
-            const vector velocity(imposed(image, c.x, w));
+            const vector velocity(imposed(image, c.x, weights));
             solidVelocity_[c.celli] += share*velocity;
             if (c.friction > 0)
             {
@@ -146,11 +155,12 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
             }
             const scalar k = image.contraction;
             scalar dilation = 3*k;
-            forAll(image.x, i)
+            for (const sphereWeight& s : weights)
             {
+                const label i = s.i;
                 const vector r(c.x - image.x[i]);
                 const vector u(image.u[i] + (image.omega[i] ^ r) + k*r);
-                dilation += covered.gradWeight(c, i, w[i], r) & u;
+                dilation += covered.gradWeight(c, i, s.w, r) & u;
             }
             dilation_[c.celli] += c.solid*dilation;
         }
@@ -193,7 +203,8 @@ void Foam::immersedBoundary::integrate
         [&]
         (
             clumpImage& image, const coveredCells& covered,
-            const coveredCell& c, const scalar* w, const scalar share
+            const coveredCell& c, const UList<sphereWeight>& weights,
+            const scalar share
         )
         {
             vector density((*forceModel_)(flow, c.celli));
@@ -211,20 +222,21 @@ void Foam::immersedBoundary::integrate
                     c.volume*rho*c.friction
                    *(
                         frictionVelocity_[c.celli]/sumFriction_[c.celli]
-                      - imposed(image, c.x, w)
+                      - imposed(image, c.x, weights)
                     );
             }
             const scalar P = dilates_ ? c.volume*c.solid*rho*p[c.celli] : 0;
 
             imageForces& fluid = image.fluid;
             fluid.c -= 3*P;
-            forAll(image.x, i)
+            for (const sphereWeight& s : weights)
             {
+                const label i = s.i;
                 const vector r(c.x - image.x[i]);
-                vector g(w[i]*F);
+                vector g(s.w*F);
                 if (P != 0)
                 {
-                    g -= P*covered.gradWeight(c, i, w[i], r);
+                    g -= P*covered.gradWeight(c, i, s.w, r);
                 }
                 fluid.f[i] += g;
                 fluid.t[i] += r ^ g;

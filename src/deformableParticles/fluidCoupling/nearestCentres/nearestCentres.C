@@ -11,28 +11,59 @@ namespace
 
 using namespace Foam;
 
-//- The centres that may be nearest to a point within d of x
+//- The centres that may be nearest to a point within d of x and are not beyond the
+//  reach of it. width: of the first search [m]
 void findCandidates
 (
     const UList<point>& centres,
+    const pointGrid& grid,
     const point& x,
     const scalar d,
-    DynamicList<label>& candidates
+    const scalar reach,
+    const scalar width,
+    DynamicList<label>& candidates,
+    label& nCompared
 )
 {
-    scalar least = GREAT;
-    for (const point& c : centres)
+    const auto search = [&](const scalar r)
     {
-        least = min(least, mag(c - x));
+        const vector half(r*vector::one);
+        grid.find(boundBox(x - half, x + half), candidates);
+        nCompared += candidates.size();
+    };
+
+    // The nearest of those in a box is the nearest of all when it is not farther
+    // than the sides of the box
+    const scalar farthest = (reach + d)*(1 + SMALL);
+    scalar least = GREAT;
+    for (scalar r = min(width, farthest); ; r = min(2*r, farthest))
+    {
+        search(r);
+        for (const label i : candidates)
+        {
+            least = min(least, mag(centres[i] - x));
+        }
+        if (least <= r || r >= farthest)
+        {
+            break;
+        }
     }
-    candidates.clear();
-    forAll(centres, i)
+    if (least > farthest)
+    {
+        candidates.clear();
+        return;
+    }
+
+    search((least + 2*d)*(1 + 10*SMALL));
+    label n = 0;
+    for (const label i : candidates)
     {
         if (mag(centres[i] - x) <= least + 2*d*(1 + SMALL))
         {
-            candidates.append(i);
+            candidates[n++] = i;
         }
     }
+    candidates.setSize(n);
 }
 
 }
@@ -42,16 +73,28 @@ Foam::labelList Foam::nearestCentres
 (
     const UList<point>& points,
     const UList<point>& centres,
-    const scalar reach
+    const scalar reach,
+    label* nCompared
 )
 {
+    label n = 0;
     labelList result(points.size(), -1);
+    if (nCompared)
+    {
+        *nCompared = 0;
+    }
     if (centres.empty())
     {
         return result;
     }
-    pointGrid grid;
+    pointGrid grid, ofCentres;
     grid.update(points, 4*centres.size());
+    ofCentres.update(centres);
+    const boundBox around(centres, false);
+    const scalar width = Foam::cbrt
+    (
+        cmptProduct(max(around.span(), 1e-3*reach*vector::one))/centres.size()
+    );
     DynamicList<label> near;
 
     for (label b = 0; b < grid.nBins(); ++b)
@@ -66,7 +109,12 @@ Foam::labelList Foam::nearestCentres
         {
             box.add(points[k]);
         }
-        findCandidates(centres, box.midpoint(), 0.5*mag(box.span()), near);
+        findCandidates
+        (
+            centres, ofCentres, box.midpoint(), 0.5*mag(box.span()), reach, width,
+            near, n
+        );
+        n += near.size()*inBin.size();
 
         for (const label k : inBin)
         {
@@ -81,6 +129,10 @@ Foam::labelList Foam::nearestCentres
                 }
             }
         }
+    }
+    if (nCompared)
+    {
+        *nCompared = n;
     }
     return result;
 }

@@ -6,11 +6,7 @@
 #include "vtkClumps.H"
 #include "deformableCloud.H"
 #include "bondForces.H"
-#include "foamVtkOutput.H"
-#include "globalIndex.H"
 #include "addToRunTimeSelectionTable.H"
-#include "OSspecific.H"
-#include <fstream>
 
 namespace Foam
 {
@@ -21,154 +17,6 @@ namespace functionObjects
 }
 }
 
-namespace
-{
-
-using namespace Foam;
-
-//- Values of all processors, on the master
-template<class Type>
-List<Type> gathered(const DynamicList<Type>& local)
-{
-    List<List<Type>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = local;
-    Pstream::gatherList(all);
-
-    DynamicList<Type> result;
-    for (const List<Type>& part : all)
-    {
-        result.append(part);
-    }
-    return List<Type>(result);
-}
-
-
-//- The name of every type as field data: texts are the codes of their letters,
-//  each ended by 0
-void writeTypeNames(vtk::formatter& format, const PtrList<clumpType>& types)
-{
-    format.beginFieldData();
-    format.openTag
-    (
-        "Array",
-        "type", string("String"),
-        "Name", string("typeNames"),
-        "NumberOfTuples", types.size(),
-        "format", string("ascii")
-    );
-    format.closeTag();
-    for (const clumpType& type : types)
-    {
-        for (const char letter : type.name())
-        {
-            format.os() << int(letter) << ' ';
-        }
-        format.os() << "0\n";
-    }
-    format.endTag("Array");
-    format.endFieldData();
-}
-
-
-//- Start of a piece of polydata: points, and vertices or lines in order
-void beginPiece
-(
-    vtk::formatter& format,
-    const List<point>& points,
-    const label nVerts,
-    const label nLines,
-    const labelList& triangles = labelList()
-)
-{
-    format
-        .tag
-        (
-            vtk::fileTag::PIECE,
-            vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
-            vtk::fileAttr::NUMBER_OF_VERTS, nVerts,
-            vtk::fileAttr::NUMBER_OF_LINES, nLines,
-            vtk::fileAttr::NUMBER_OF_POLYS, triangles.size()/3
-        );
-
-    format.tag(vtk::fileTag::POINTS);
-    format.beginDataArray<float, 3>(vtk::dataArrayAttr::POINTS);
-    format.writeSize(vtk::sizeofData<float, 3>(points.size()));
-    vtk::writeList(format, points);
-    format.flush();
-    format.endDataArray();
-    format.endTag(vtk::fileTag::POINTS);
-
-    const bool polygons = triangles.size();
-    const label nCells = nVerts + nLines + triangles.size()/3;
-    const label size = polygons ? 3 : nLines ? 2 : 1;
-    const auto tag =
-        polygons ? vtk::fileTag::POLYS
-      : nLines ? vtk::fileTag::LINES : vtk::fileTag::VERTS;
-
-    format.tag(tag);
-    format.beginDataArray<label>(vtk::dataArrayAttr::CONNECTIVITY);
-    format.writeSize(vtk::sizeofData<label>(size*nCells));
-    if (polygons)
-    {
-        vtk::writeList(format, triangles);
-    }
-    else
-    {
-        // Point i belongs to cell i/size
-        vtk::writeIdentity(format, size*nCells);
-    }
-    format.flush();
-    format.endDataArray();
-
-    format.beginDataArray<label>(vtk::dataArrayAttr::OFFSETS);
-    format.writeSize(vtk::sizeofData<label>(nCells));
-    for (label i = 1; i <= nCells; ++i)
-    {
-        format.write(size*i);
-    }
-    format.flush();
-    format.endDataArray();
-    format.endTag(tag);
-}
-
-
-template<class Type>
-void writeField
-(
-    vtk::formatter& format, const word& name, const List<Type>& values
-)
-{
-    format.beginDataArray<float, pTraits<Type>::nComponents>(name);
-    format.writeSize
-    (
-        vtk::sizeofData<float, pTraits<Type>::nComponents>(values.size())
-    );
-    vtk::writeList(format, values);
-    format.flush();
-    format.endDataArray();
-}
-
-
-//- Fatal when not all of the file could be written
-void refuseUnwritten(std::ofstream& os, const fileName& file)
-{
-    os.close();
-    if (!os)
-    {
-        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
-    }
-}
-
-
-void endPiece(vtk::formatter& format)
-{
-    format.endPiece();
-    format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
-}
-
-}
-
-
 Foam::functionObjects::vtkClumps::vtkClumps
 (
     const word& name,
@@ -177,14 +25,16 @@ Foam::functionObjects::vtkClumps::vtkClumps
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    loaded_(false)
+    spheres_("spheres"),
+    bonds_("bonds"),
+    membranes_("membranes")
 {
     read(dict);
 
     // Nothing is written before the first step: other input may be wrong
     if (!functionObject::postProcess && time_.timeIndex() == 0)
     {
-        gather(mesh_.lookupObject<deformableCloud>(cloudName_), start_);
+        collect(mesh_.lookupObject<deformableCloud>(cloudName_), start_);
         start_.time = time_.value();
     }
 }
@@ -201,19 +51,6 @@ bool Foam::functionObjects::vtkClumps::execute()
 }
 
 
-void Foam::functionObjects::vtkClumps::load(const fileName& dir)
-{
-    if (!loaded_)
-    {
-        const scalar end = time_.startTime().value() + 0.5*time_.deltaTValue();
-        spheres_.load(dir/"spheres.vtp", true, end);
-        bonds_.load(dir/"bonds.vtp", true, end);
-        membranes_.load(dir/"membranes.vtp", true, end);
-        loaded_ = true;
-    }
-}
-
-
 bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
 {
     checkEntries(dict, {"cloud"}, functionObjectEntries());
@@ -222,7 +59,7 @@ bool Foam::functionObjects::vtkClumps::read(const dictionary& dict)
 }
 
 
-void Foam::functionObjects::vtkClumps::gather
+void Foam::functionObjects::vtkClumps::collect
 (
     const deformableCloud& cloud,
     frame& all
@@ -262,86 +99,62 @@ void Foam::functionObjects::vtkClumps::gather
 
     all.index = time_.timeIndex();
     all.time = time_.value();
-    all.centres = gathered(centres);
-    all.radii = gathered(radii);
-    all.clumps = gathered(clumps);
-    all.numbers = gathered(numbers);
-    all.types = gathered(types);
-    all.velocities = gathered(velocities);
-    all.forces = gathered(forces);
-    all.ends = gathered(ends);
-    all.tension = gathered(tension);
-    all.bondClumps = gathered(bondClumps);
+
+    all.spheres.points.transfer(centres);
+    all.spheres.scalars =
+    {
+        {"radius", radii}, {"clump", clumps}, {"sphere", numbers}, {"type", types}
+    };
+    all.spheres.vectors = {{"U", velocities}, {"fluidForce", forces}};
+    all.spheres.textName = "typeNames";
+    all.spheres.texts.setSize(cloud.types().size());
+    forAll(cloud.types(), i)
+    {
+        all.spheres.texts[i] = cloud.types()[i].name();
+    }
+
+    all.bonds.kind = vtkSeries::lines;
+    all.bonds.points.transfer(ends);
+    all.bonds.ofCells = true;
+    all.bonds.scalars = {{"axialForce", tension}, {"clump", bondClumps}};
 }
 
 
 bool Foam::functionObjects::vtkClumps::write()
 {
     const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
-    frame all;
-    gather(cloud, all);
+    frame now;
+    collect(cloud, now);
     writeMembranes(cloud);
-    write(all);
+    write(now);
     return true;
+}
+
+
+void Foam::functionObjects::vtkClumps::write
+(
+    vtkSeries& series,
+    const label index,
+    const scalar time,
+    const vtkSeries::polyData& data
+)
+{
+    series.write
+    (
+        time_.globalPath()/"VTK"/cloudName_,
+        index,
+        time,
+        time_.startTime().value(),
+        0.5*time_.deltaTValue(),
+        data
+    );
 }
 
 
 void Foam::functionObjects::vtkClumps::write(const frame& all)
 {
-    if (!Pstream::master())
-    {
-        return;
-    }
-
-    const auto& types = mesh_.lookupObject<deformableCloud>(cloudName_).types();
-    const fileName dir(time_.globalPath()/"VTK"/cloudName_);
-    mkDir(dir);
-    load(dir);
-    const word step("_" + Foam::name(all.index) + ".vtp");
-
-    {
-        const fileName file(dir/"spheres" + step);
-        std::ofstream os(file);
-        autoPtr<vtk::formatter> format
-        (
-            vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
-        );
-        format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
-        writeTypeNames(*format, types);
-        beginPiece(*format, all.centres, all.centres.size(), 0);
-        format->beginPointData();
-        writeField(*format, "radius", all.radii);
-        writeField(*format, "clump", all.clumps);
-        writeField(*format, "sphere", all.numbers);
-        writeField(*format, "type", all.types);
-        writeField(*format, "U", all.velocities);
-        writeField(*format, "fluidForce", all.forces);
-        format->endPointData();
-        endPiece(*format);
-        refuseUnwritten(os, file);
-        spheres_.append(all.time, file.name());
-        spheres_.sort();
-        spheres_.write(dir/"spheres.vtp");
-    }
-    {
-        const fileName file(dir/"bonds" + step);
-        std::ofstream os(file);
-        autoPtr<vtk::formatter> format
-        (
-            vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
-        );
-        format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
-        beginPiece(*format, all.ends, 0, all.ends.size()/2);
-        format->beginCellData();
-        writeField(*format, "axialForce", all.tension);
-        writeField(*format, "clump", all.bondClumps);
-        format->endCellData();
-        endPiece(*format);
-        refuseUnwritten(os, file);
-        bonds_.append(all.time, file.name());
-        bonds_.sort();
-        bonds_.write(dir/"bonds.vtp");
-    }
+    write(spheres_, all.index, all.time, all.spheres);
+    write(bonds_, all.index, all.time, all.bonds);
 }
 
 
@@ -360,10 +173,10 @@ void Foam::functionObjects::vtkClumps::writeMembranes
         return;
     }
 
-    DynamicList<point> nodes;
+    vtkSeries::polyData data;
+    data.kind = vtkSeries::triangles;
     DynamicList<vector> velocities, forces;
     DynamicList<scalar> clumps;
-    DynamicList<label> corners;
     for (const clumpParcel& p : cloud)
     {
         const clumpType& type = cloud.type(p);
@@ -371,8 +184,8 @@ void Foam::functionObjects::vtkClumps::writeMembranes
         {
             continue;
         }
-        const label first = nodes.size();
-        nodes.append(p.centres());
+        const label first = data.points.size();
+        data.points.append(p.centres());
         velocities.append(p.state().u);
         forces.append(-p.fluidForces());
         clumps.append(scalarField(type.size(), p.origId()));
@@ -380,49 +193,11 @@ void Foam::functionObjects::vtkClumps::writeMembranes
         {
             for (const label i : t)
             {
-                corners.append(first + i);
+                data.corners.append(first + i);
             }
         }
     }
-
-    // The nodes of a processor follow those of the ones before
-    const globalIndex order(nodes.size());
-    for (label& i : corners)
-    {
-        i = order.toGlobal(i);
-    }
-    const List<point> allNodes(gathered(nodes));
-    const List<vector> allVelocities(gathered(velocities));
-    const List<vector> allForces(gathered(forces));
-    const List<scalar> allClumps(gathered(clumps));
-    const List<label> allCorners(gathered(corners));
-    if (!Pstream::master())
-    {
-        return;
-    }
-
-    const fileName dir(time_.globalPath()/"VTK"/cloud.name());
-    mkDir(dir);
-    load(dir);
-    const fileName file
-    (
-        dir/"membranes_" + Foam::name(time_.timeIndex()) + ".vtp"
-    );
-    std::ofstream os(file);
-    autoPtr<vtk::formatter> format
-    (
-        vtk::newFormatter(os, vtk::formatType::INLINE_BASE64)
-    );
-    format->xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
-    beginPiece(*format, allNodes, 0, 0, allCorners);
-    format->beginPointData();
-    writeField(*format, "clump", allClumps);
-    writeField(*format, "U", allVelocities);
-    writeField(*format, "force", allForces);
-    format->endPointData();
-    endPiece(*format);
-    refuseUnwritten(os, file);
-    membranes_.append(time_.value(), file.name());
-    membranes_.sort();
-    membranes_.write(dir/"membranes.vtp");
+    data.scalars = {{"clump", clumps}};
+    data.vectors = {{"U", velocities}, {"force", forces}};
+    write(membranes_, time_.timeIndex(), time_.value(), data);
 }

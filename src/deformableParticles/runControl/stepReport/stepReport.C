@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stepReport.H"
+#include "clumpWork.H"
 #include "fvcDiv.H"
 #include "logBuffer.H"
 #include "spokenTime.H"
@@ -161,5 +162,20 @@ void Foam::stepReport::explainIdle() const
 void Foam::stepReport::end() const
 {
     cloud_.timing().print(Info, since(start_));
+
+    const scalar measured = clumpWork(cloud_).measuredCellsPerSphere();
+    const clumpWork work
+    (
+        cloud_, measured > 0 ? measured : clumpWork::usualCellsPerSphere
+    );
+    if (Pstream::parRun())
+    {
+        work.print(Info);
+    }
+    else if (measured > 0)
+    {
+        Info<< "A sphere of a clump has taken as much time as " << round(measured)
+            << " mesh cells." << nl << endl;
+    }
     Info<< "End" << nl << endl;
 }

@@ -101,6 +101,7 @@ void Foam::freePlaces::clear()
 void Foam::freePlaces::test
 (
     const clumpCandidate& c,
+    const boundBox& mine,
     const Cloud<clumpParcel>& clumps,
     const UList<boundBox>& boxes,
     UList<scalar>& result
@@ -108,7 +109,6 @@ void Foam::freePlaces::test
 {
     const scalarField& r = types_[c.typeId].radii();
     const pointField centres(c.centres());
-    const boundBox mine(mesh_.points(), false);
 
     result = 0;
     if (mine.contains(c.position) && mesh_.findCell(c.position) >= 0)
@@ -175,6 +175,7 @@ Foam::labelList Foam::freePlaces::find
 {
     makeSurfaces();
 
+    const boundBox mine(mesh_.points(), false);
     List<boundBox> boxes(clumps.size());
     label index = 0;
     for (const clumpParcel& p : clumps)
@@ -196,7 +197,7 @@ Foam::labelList Foam::freePlaces::find
         forAll(candidates, k)
         {
             SubList<scalar> result(known, starts[k + 1] - starts[k], starts[k]);
-            test(candidates[k], clumps, boxes, result);
+            test(candidates[k], mine, clumps, boxes, result);
         }
         reduceList(known, maxEqOp<scalar>());
 
@@ -225,18 +226,8 @@ Foam::labelList Foam::freePlaces::find
         }
         for (label other = 0; isFree && allWanted && other < k; ++other)
         {
-            for (const vector& shift : shifts_)
-            {
-                isFree =
-                    isFree
-                 && !(
-                        owners[other] >= 0
-                     && overlap
-                        (
-                            candidates[other], candidates[k], types_, gap_, shift
-                        )
-                    );
-            }
+            isFree =
+                owners[other] < 0 || !meet(candidates[other], candidates[k]);
         }
         if (isFree)
         {
@@ -244,4 +235,21 @@ Foam::labelList Foam::freePlaces::find
         }
     }
     return owners;
+}
+
+
+bool Foam::freePlaces::meet
+(
+    const clumpCandidate& a,
+    const clumpCandidate& b
+) const
+{
+    for (const vector& shift : shifts_)
+    {
+        if (overlap(a, b, types_, gap_, shift))
+        {
+            return true;
+        }
+    }
+    return false;
 }

@@ -5,8 +5,8 @@
 
 #include "patchInjection.H"
 #include "givenRotation.H"
-#include "Hasher.H"
 #include "placement.H"
+#include "randomSeed.H"
 #include "surfaceFields.H"
 #include "uniformRotation.H"
 #include <cmath>
@@ -52,7 +52,8 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
     turn_(givenRotation(dict)),
     seed_(dict.get<label>("seed")),
     due_(0),
-    nBatches_(0)
+    nBatches_(0),
+    nAtOnce_(1)
 {
     needVelocity(dict);
     forAll(shares_, typei)
@@ -85,21 +86,15 @@ Foam::Random Foam::patchInjection::random
     const label counter
 ) const
 {
-    const label numbers[] = {seed_, purpose, counter};
-    const word me(name());
-    const unsigned hash = Hasher
-    (
-        numbers, sizeof(numbers), Hasher(me.c_str(), me.size())
-    );
-    return Random(label(hash & 0x7fffffff));
+    return Random(randomSeed(name(), seed_, purpose, counter));
 }
 
 
-Foam::label Foam::patchInjection::nextType() const
+Foam::label Foam::patchInjection::typeOf(const label number) const
 {
     return placement::typeAt
     (
-        shares_, random(0, nInjected()).sample01<scalar>()
+        shares_, random(0, number).sample01<scalar>()
     );
 }
 
@@ -173,61 +168,99 @@ void Foam::patchInjection::inject
 )
 {
     due_ = due(clumps, due_);
-    while (nWaiting() > 0 && injectOne(clumps, action))
-    {}
+    label sum = 0;
+    while (nWaiting() > 0)
+    {
+        const label number = min(nWaiting(), nAtOnce_);
+        const label n = injectSome(clumps, action, number);
+        sum += n;
+        if (n < number)
+        {
+            break;
+        }
+        nAtOnce_ = max(nAtOnce_, sum + 1);
+    }
+    nAtOnce_ = sum + 1;
 }
 
 
-bool Foam::patchInjection::injectOne
+Foam::label Foam::patchInjection::injectSome
 (
     Cloud<clumpParcel>& clumps,
-    const putAction& action
+    const putAction& action,
+    const label number
 )
 {
-    const label typeId = nextType();
-    const clumpType& type = site_.types[typeId];
-    Random numbers(random(1, nBatches_++));
-
     const scalarField weights(chances());
     const label first = site_.mesh.nInternalFaces();
-    const List<patchLines::hit> hits
-    (
-        lines_.shoot
+
+    List<Random> numbers(number, Random(0));
+    List<patchLines::hit> hits(number*nTries_);
+    for (label n = 0; n < number; ++n)
+    {
+        numbers[n] = random(1, nBatches_ + n);
+        SubList<patchLines::hit>(hits, nTries_, n*nTries_) = lines_.shoot
         (
-            nTries_, numbers,
+            nTries_, numbers[n],
             [&](const label facei) { return weights[facei - first]; }
-        )
-    );
+        );
+    }
+    patchLines::combine(hits);
 
     // Touching the plane of the face; freePlaces moves it farther where the patch
     // is curved
     DynamicList<clumpCandidate> candidates;
-    for (const patchLines::hit& h : hits)
+    labelList starts(number + 1, Zero);
+    for (label n = 0; n < number; ++n)
     {
-        const quaternion turn(turned_ ? turn_ : uniformRotation(numbers));
-        if (h.place < GREAT)
+        const label typeId = typeOf(nInjected() + n);
+        const scalarField& radii = site_.types[typeId].radii();
+        for (label k = n*nTries_; k < (n + 1)*nTries_; ++k)
         {
-            candidates.append
-            (
-                candidate(typeId, h.x, turn)
-            );
-            clumpCandidate& c = candidates.last();
-            c.patchi = h.patchi;
-            c.inwards = h.inwards;
-            c.position += max(type.radii() - (c.state.x & c.inwards))*c.inwards;
+            const patchLines::hit& h = hits[k];
+            const quaternion turn(turned_ ? turn_ : uniformRotation(numbers[n]));
+            if (h.place < GREAT)
+            {
+                candidates.append
+                (
+                    candidate(typeId, h.x, turn)
+                );
+                clumpCandidate& c = candidates.last();
+                c.patchi = h.patchi;
+                c.inwards = h.inwards;
+                c.position += max(radii - (c.state.x & c.inwards))*c.inwards;
+            }
         }
+        starts[n + 1] = candidates.size();
     }
 
     const labelList owners(places_.find(candidates, clumps, false));
-    forAll(owners, k)
+    DynamicList<label> taken;
+    for (label n = 0; n < number; ++n)
     {
-        if (owners[k] >= 0)
+        ++nBatches_;
+        label k = starts[n];
+        const auto isFree = [&]()
         {
-            put(candidates[k], owners[k], action);
-            return true;
+            bool result = owners[k] >= 0;
+            for (const label other : taken)
+            {
+                result = result && !places_.meet(candidates[other], candidates[k]);
+            }
+            return result;
+        };
+        while (k < starts[n + 1] && !isFree())
+        {
+            ++k;
         }
+        if (k == starts[n + 1])
+        {
+            return n;
+        }
+        put(candidates[k], owners[k], action);
+        taken.append(k);
     }
-    return false;
+    return number;
 }
 
 

@@ -7,6 +7,7 @@
 #include "clumpPacking.H"
 #include "ghostExchange.H"
 #include "givenRotation.H"
+#include "randomSeed.H"
 #include "treeDataCell.H"
 #include "uniformRotation.H"
 #include <cmath>
@@ -143,7 +144,7 @@ void Foam::clumpPlacements::random::scatter
         for (label n = 0; n < numbers[typei]; ++n, ++k)
         {
             const scalar share = common.sample01<scalar>();
-            Random own(common.position<label>(0, labelMax - 1));
+            Random own(randomSeed(common));
             const label celli = region.cell(share);
             if (celli < 0)
             {

@@ -63,8 +63,6 @@ void Foam::forcingModels::sharp::setStrength
     scalarField& strength
 ) const
 {
-    const label n = radii.size();
-
     forAll(covered.cells(), k)
     {
         coveredCell& c = covered.cells()[k];
@@ -72,11 +70,10 @@ void Foam::forcingModels::sharp::setStrength
 
         if (c.centreInside)
         {
-            const scalar* w = covered.weights(k);
             scalar radius = 0;
-            for (label i = 0; i < n; ++i)
+            for (const sphereWeight& s : covered.weights(k))
             {
-                radius += w[i]*radii[i];
+                radius += s.w*radii[s.i];
             }
             S = max
             (

@@ -48,6 +48,7 @@ struct interior
             image.index = k;
             image.original = true;
             image.typeId = 0;
+            image.id = labelPair(0, k);
             image.x =
                 types[0].centres() + centres[k] + vector(0.13e-6, 0.27e-6, 0.41e-6);
             image.u = vectorField(image.x.size(), Zero);
@@ -96,6 +97,19 @@ TEST_CASE("viscosity ratio: two surfaces in a mesh cell", "[membrane][parallel]"
     const scalarField& f = spheres.factor().primitiveField();
     CHECK(gMin(f) > 0.1999);
     CHECK(gMax(f) < 1.0001);
+
+    // In any order of the images, the layers between them are those of the nearer surface
+    Swap(centres[0], centres[1]);
+    const interior swapped(centres, 0.2);
+    const scalarField difference
+    (
+        mag
+        (
+            spheres.immersion->interior()->normal().primitiveField()
+          - swapped.immersion->interior()->normal().primitiveField()
+        )
+    );
+    CHECK(gMax(difference) < 1e-9);
 }
 
 

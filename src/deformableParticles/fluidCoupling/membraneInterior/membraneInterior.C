@@ -103,7 +103,16 @@ void Foam::membraneInterior::add
         shearFactor_[celli] += (1/type.viscosityRatio() - 1)*inside;
         if (inside > 0 && inside < 1)
         {
-            normal_[celli] = p.outwards;
+            // The same one in any order of the images, also where two are as near
+            const scalar distance = mag(p.distance)/width;
+            const label number = image.id.second();
+            const scalar nearer = distances_[celli] - distance;
+            if (nearer > 1e-9 || (nearer > -1e-9 && number < numbers_[celli]))
+            {
+                normal_[celli] = p.outwards;
+                distances_[celli] = distance;
+                numbers_[celli] = number;
+            }
         }
     }
 }
@@ -123,6 +132,8 @@ void Foam::membraneInterior::set
     shearFactor = Zero;
     normal_.primitiveFieldRef() = Zero;
     covered_ = scalarField(mesh_.nCells(), Zero);
+    distances_ = scalarField(mesh_.nCells(), GREAT);
+    numbers_ = labelList(mesh_.nCells(), labelMax);
     for (const clumpImage& image : images)
     {
         if (types_[image.typeId].viscosityRatio() != 1)

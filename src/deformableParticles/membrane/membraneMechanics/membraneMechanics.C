@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "membraneMechanics.H"
+#include "stressFreeState.H"
 
 Foam::membraneMechanics::membraneMechanics
 (
@@ -12,16 +13,21 @@ Foam::membraneMechanics::membraneMechanics
 )
 :
     type_(type),
+    stressFree_(stressFreeState(type, getDict(dict, "membrane")).positions()),
     rings_(1)
 {
     const dictionary& models = getDict(dict, "membrane");
     for (const word& name : models.toc())
     {
+        if (name == "stressFree")
+        {
+            continue;
+        }
         models_.append
         (
             selectModel<membraneModel>
             (
-                getDict(models, name), type.surface(), type.centres()
+                getDict(models, name), type.surface(), stressFree_
             ).ptr()
         );
         rings_ = max(rings_, models_.last().rings());

@@ -5,6 +5,60 @@
 
 #include "clumpCandidate.H"
 #include "PtrList.H"
+#include "surfaceDistance.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Whether spheres of a clump or nodes of a membrane at x are nearer to a membrane than
+//  a gap, or inside
+bool near
+(
+    const clumpType& membrane,
+    const pointField& nodes,
+    const clumpType& other,
+    const pointField& x,
+    const scalar gap
+)
+{
+    const scalarField r
+    (
+        other.hasSurface() ? scalarField(x.size(), Zero) : other.radii()
+    );
+    const scalar most = max(max(r) + gap, scalar(0));
+    boundBox box(nodes, false);
+    box.min() -= most*vector::one;
+    box.max() += most*vector::one;
+    DynamicList<label> inBox;
+    forAll(x, i)
+    {
+        if (box.contains(x[i]))
+        {
+            inBox.append(i);
+        }
+    }
+    if (inBox.empty())
+    {
+        return false;
+    }
+    const auto places = surfaceDistance(membrane.surface(), nodes).nearest
+    (
+        pointField(x, inBox), max(most, membrane.halfWidth())
+    );
+    forAll(inBox, k)
+    {
+        if (places[k].found && places[k].distance < r[inBox[k]] + gap)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+}
+
 
 Foam::Ostream& Foam::operator<<(Ostream& os, const clumpCandidate& c)
 {
@@ -33,8 +87,18 @@ bool Foam::overlap
     const vector& shift
 )
 {
-    const scalarField& ra = types[a.typeId].radii();
-    const scalarField& rb = types[b.typeId].radii();
+    const clumpType& typeA = types[a.typeId];
+    const clumpType& typeB = types[b.typeId];
+    if (typeA.hasSurface() || typeB.hasSurface())
+    {
+        const pointField xa(a.centres());
+        const pointField xb(b.centres() + shift);
+        return
+            (typeA.hasSurface() && near(typeA, xa, typeB, xb, gap))
+         || (typeB.hasSurface() && near(typeB, xb, typeA, xa, gap));
+    }
+    const scalarField& ra = typeA.radii();
+    const scalarField& rb = typeB.radii();
     forAll(ra, i)
     {
         const point x(a.position + a.state.x[i] - b.position - shift);

@@ -92,9 +92,19 @@ void Foam::clumpPacking::setBodies(const bool whole)
 {
     forAll(types_, i)
     {
-        bodies_[i].x = whole ? pointField(1, Zero) : types_[i].centres();
-        bodies_[i].r =
-            whole ? scalarField(1, types_[i].reach()) : types_[i].radii();
+        const clumpType& type = types_[i];
+        const bool membrane = type.hasSurface();
+        bodies_.set(i, new body);
+        body& b = bodies_[i];
+        b.x = whole ? pointField(1, Zero) : type.centres();
+        b.r = whole ? scalarField(1, type.reach()) : type.radii();
+        b.size = membrane ? 0.5*type.halfWidth() : min(type.radii());
+        b.box = boundBox(type.centres(), false);
+        if (membrane && !whole)
+        {
+            b.r = Zero;
+            b.surface.reset(new surfaceDistance(type.surface(), type.centres()));
+        }
     }
 }
 
@@ -132,11 +142,20 @@ void Foam::clumpPacking::setImages()
         image.u.setSize(1);
         image.u[0] = centre;
         image.omega.clear();
+        if (b.surface.valid())
+        {
+            image.omega = vectorField({R.x(), R.y(), R.z()});
+        }
         image.box = boundBox::invertedBox;
         forAll(b.x, i)
         {
             image.x[i] = centre + scale_*(R & b.x[i]);
-            const scalar r = 0.5*gap_ + (1 + clearance)*scale_*b.r[i];
+            const scalar r =
+                0.5*gap_
+              + (
+                    b.surface.valid()
+                  ? clearance*scale_*b.size : (1 + clearance)*scale_*b.r[i]
+                );
             image.box.add(image.x[i] - r*vector::one);
             image.box.add(image.x[i] + r*vector::one);
         }
@@ -164,43 +183,117 @@ void Foam::clumpPacking::addClumps()
         images, ghosts_.nOwn(), scalarField(ghosts_.nOwn(), Zero),
         [&](const label a, const label b)
         {
-            const clumpImage& A = images[a];
-            const clumpImage& B = images[b];
-            const body& bodyA = bodies_[A.typeId];
-            const body& bodyB = bodies_[B.typeId];
-            const point& centre = A.u[0];
-            const scalar reach = types_[A.typeId].reach();
-
-            forAll(A.x, i)
+            const bool surfaceA = bodies_[images[a].typeId].surface.valid();
+            const bool surfaceB = bodies_[images[b].typeId].surface.valid();
+            if (surfaceA)
             {
-                forAll(B.x, j)
-                {
-                    const scalar rSum = scale_*(bodyA.r[i] + bodyB.r[j]);
-                    const scalar target = (1 + clearance)*rSum + gap_;
-                    const vector d(A.x[i] - B.x[j]);
-                    if (magSqr(d) >= sqr(target))
-                    {
-                        continue;
-                    }
-                    const scalar distance = mag(d);
-                    const vector n
-                    (
-                        distance > SMALL*rSum ? d/distance : vector(1, 0, 0)
-                    );
-                    const scalar smaller =
-                        scale_*min(bodyA.r[i], bodyB.r[j]);
-                    contacts_[a].deepest = max
-                    (
-                        contacts_[a].deepest, (rSum + gap_ - distance)/smaller
-                    );
-                    contacts_[a].add
-                    (
-                        n, A.x[i] - centre, reach, target - distance, 2
-                    );
-                }
+                addToSurface(images[b], images[a], false, contacts_[a]);
+            }
+            if (surfaceB)
+            {
+                addToSurface(images[a], images[b], true, contacts_[a]);
+            }
+            if (!surfaceA && !surfaceB)
+            {
+                addSpheres(images[a], images[b], contacts_[a]);
             }
         }
     );
+}
+
+
+void Foam::clumpPacking::addSpheres
+(
+    const clumpImage& A,
+    const clumpImage& B,
+    contacts& sum
+) const
+{
+    const body& bodyA = bodies_[A.typeId];
+    const body& bodyB = bodies_[B.typeId];
+    const point& centre = A.u[0];
+    const scalar reach = types_[A.typeId].reach();
+
+    forAll(A.x, i)
+    {
+        forAll(B.x, j)
+        {
+            const scalar rSum = scale_*(bodyA.r[i] + bodyB.r[j]);
+            const scalar target = (1 + clearance)*rSum + gap_;
+            const vector d(A.x[i] - B.x[j]);
+            if (magSqr(d) >= sqr(target))
+            {
+                continue;
+            }
+            const scalar distance = mag(d);
+            const vector n
+            (
+                distance > SMALL*rSum ? d/distance : vector(1, 0, 0)
+            );
+            const scalar smaller = scale_*min(bodyA.r[i], bodyB.r[j]);
+            sum.deepest = max(sum.deepest, (rSum + gap_ - distance)/smaller);
+            sum.add(n, A.x[i] - centre, reach, target - distance, 2);
+        }
+    }
+}
+
+
+void Foam::clumpPacking::addToSurface
+(
+    const clumpImage& points,
+    const clumpImage& membrane,
+    const bool ofPoints,
+    contacts& sum
+) const
+{
+    const body& P = bodies_[points.typeId];
+    const body& M = bodies_[membrane.typeId];
+    const scalar size = scale_*min(P.size, M.size);
+    const scalar gap = gap_ + clearance*scale_*(P.size + M.size);
+
+    // In the frame of the membrane at rest, those that are near
+    const tensor R(membrane.omega[0], membrane.omega[1], membrane.omega[2]);
+    const scalar most = max(P.r) + gap/scale_;
+    const boundBox reach(M.box.min() - most*vector::one, M.box.max() + most*vector::one);
+    DynamicList<label> near;
+    DynamicList<point> local;
+    forAll(points.x, i)
+    {
+        const point x((R.T() & (points.x[i] - membrane.u[0]))/scale_);
+        if (reach.contains(x))
+        {
+            near.append(i);
+            local.append(x);
+        }
+    }
+    if (near.empty())
+    {
+        return;
+    }
+
+    // Deep inside, too
+    const auto places = M.surface->nearest
+    (
+        pointField(local), max(most, types_[membrane.typeId].halfWidth())
+    );
+    const clumpImage& mine = ofPoints ? points : membrane;
+    forAll(near, k)
+    {
+        const auto& p = places[k];
+        const scalar r = scale_*P.r[near[k]];
+        const scalar depth = r + gap - scale_*p.distance;
+        if (p.found && depth > 0)
+        {
+            const vector n((ofPoints ? 1 : -1)*(R & p.outwards));
+            sum.deepest =
+                max(sum.deepest, (r + gap_ - scale_*p.distance)/size);
+            sum.add
+            (
+                n, points.x[near[k]] - mine.u[0],
+                types_[mine.typeId].reach(), depth, 2
+            );
+        }
+    }
 }
 
 
@@ -226,18 +319,21 @@ void Foam::clumpPacking::addSurface()
         }
         forAll(A.x, i)
         {
+            const bool membrane = bodyA.surface.valid();
             const scalar r = scale_*bodyA.r[i];
-            const scalar target = (1 + clearance)*r + gap_;
+            const scalar size = membrane ? scale_*bodyA.size : r;
+            const scalar target =
+                (membrane ? clearance*size : (1 + clearance)*r) + gap_;
             region_.forEachSurface
             (
-                A.x[i], 2*target,
+                A.x[i], 2*(membrane ? size + target : target),
                 [&](const scalar height, const vector& away)
                 {
                     if (height < target)
                     {
                         contacts_[a].deepest = max
                         (
-                            contacts_[a].deepest, (r + gap_ - height)/r
+                            contacts_[a].deepest, (r + gap_ - height)/size
                         );
                         contacts_[a].add
                         (
@@ -277,7 +373,7 @@ void Foam::clumpPacking::move(clumpParcel& p, const contacts& sum)
         y.tail<3>().setZero();
     }
     const scalar size = y.head<3>().norm() + y.tail<3>().norm();
-    const scalar limit = maxStep*scale_*min(type.radii());
+    const scalar limit = maxStep*scale_*bodies_[p.typeId()].size;
     if (size > limit)
     {
         y *= limit/size;

@@ -40,7 +40,10 @@ Foam::surfaceCrossing::surfaceCrossing
                 image.x[i], size,
                 [&](const scalar height, const vector&)
                 {
-                    const scalar depth = (r - height)/r;
+                    // A node of a membrane is outside as soon as it crosses
+                    const scalar depth =
+                        type.hasSurface()
+                      ? (height < 0 ? 1 - height/r : scalar(0)) : (r - height)/r;
                     crosses = crosses || (depth > tolerance && !type.fixed());
                     if (depth > depth_ && !type.fixed())
                     {

@@ -117,6 +117,18 @@ const Foam::PtrList<Foam::clumpType>& Foam::deformableCloud::readModels()
                 << stress << " Pa, " << reason.c_str() << endl;
         }
     }
+    if
+    (
+        membraneContacts_.needsStress() && surfaceImmersion::wanted(types_)
+     && effects_.active("fluid")
+    )
+    {
+        string reason;
+        const scalar stress = contactStress(reason);
+        membraneContacts_.setStress(min(stress, largestEntry));
+        Info<< "membraneContact: " << stress << " Pa where surfaces touch, "
+            << reason.c_str() << endl;
+    }
     return types_;
 }
 

@@ -90,8 +90,11 @@ void Foam::membraneInterior::add
     {
         return;
     }
-    const auto places =
-        surfaceDistance(type.surface(), image.x).nearest(pointField(centres));
+    const pointField x(centres);
+    const auto places = surfaceDistance(type.surface(), image.x).nearest
+    (
+        x, nodes.mag() + boundBox(x, false).mag()
+    );
     forAll(cells, k)
     {
         const auto& p = places[k];

@@ -20,6 +20,13 @@ dictionary entriesOf(const dictionary& dict)
 }
 
 
+//- Zero where it is not given
+scalar givenStress(const dictionary& dict)
+{
+    return dict.found("stress") ? getPositive(dict, "stress") : 0;
+}
+
+
 //- Barycentric coordinates of a point of a triangle. Those of OpenFOAM are a third
 //  each for triangles of micrometres
 vector coordinatesOf(const triFace& t, const pointField& x, const point& p)
@@ -62,6 +69,24 @@ nodeContact contactOf
     return c;
 }
 
+
+//- Let the contact of a node become that of the triangle which it touches at a point
+void setTriangle
+(
+    nodeContact& c,
+    const triFace& t,
+    const pointField& x,
+    const point& at
+)
+{
+    const vector w(coordinatesOf(t, x, at));
+    for (label n = 0; n < 3; ++n)
+    {
+        c.nodes[n] = t[n];
+        c.weights[n] = -w[n];
+    }
+}
+
 }
 
 
@@ -73,7 +98,7 @@ Foam::membraneContacts::membraneContacts
 :
     types_(types),
     cells_(getBetweenOrDefault(entriesOf(dict), "range", 0.5, 0.05, 2)),
-    stress_(getPositiveOrDefault(entriesOf(dict), "stress", 60)),
+    stress_(givenStress(entriesOf(dict))),
     range_(0),
     dt_(0),
     meshVelocity_(Zero)
@@ -128,9 +153,9 @@ void Foam::membraneContacts::refuseOverlaps
             if (typeOf(B).hasSurface())
             {
                 const surfaceDistance distance(typeOf(B).surface(), B.x);
-                for (const auto& p : distance.nearest(A.x))
+                for (const auto& p : distance.nearest(A.x, typeOf(B).halfWidth()))
                 {
-                    overlap = overlap || p.distance < 0;
+                    overlap = overlap || (p.found && p.distance < 0);
                 }
             }
             else
@@ -281,15 +306,44 @@ void Foam::membraneContacts::findNodes
         );
         if (!ofNodes)
         {
-            const triFace& t = type.surface().triangles()[p.triangle];
-            const vector w(coordinatesOf(t, to.x, p.at));
-            for (label n = 0; n < 3; ++n)
-            {
-                c.nodes[n] = t[n];
-                c.weights[n] = -w[n];
-            }
+            setTriangle(c, type.surface().triangles()[p.triangle], to.x, p.at);
         }
         contacts.append(c);
+    }
+}
+
+
+void Foam::membraneContacts::findSelf
+(
+    const ghostExchange& ghosts,
+    const label a,
+    DynamicList<nodeContact>& contacts
+)
+{
+    const label typei = ghosts.images()[a].typeId;
+    const clumpType& type = types_[typei];
+    selves_.setSize(types_.size());
+    if (!selves_.set(typei))
+    {
+        selves_.set(typei, new selfDistance(type.surface(), type.centres()));
+    }
+    const selfDistance& self = selves_[typei];
+    const scalar range = min(range_, 0.9*self.thickness());
+
+    const body& b = bodies_[a];
+    for (const auto& p : self.find(b.x, range))
+    {
+        // The force begins at the gap of this range
+        const nodeContact c
+        (
+            contactOf
+            (
+                p.node, p.opens, p.gap + range_ - range, 0.5*b.areas[p.node], 2
+            )
+        );
+        contacts.append(c);
+        contacts.append(c);
+        setTriangle(contacts.last(), type.surface().triangles()[p.triangle], b.x, p.at);
     }
 }
 
@@ -407,6 +461,10 @@ void Foam::membraneContacts::find
             if (a < ghosts.nOwn() && walls)
             {
                 findWalls(a, *walls, own[a].step().nodes.contacts);
+            }
+            if (a < ghosts.nOwn() && betweenClumps)
+            {
+                findSelf(ghosts, a, own[a].step().nodes.contacts);
             }
         }
     }

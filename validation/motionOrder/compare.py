@@ -84,9 +84,11 @@ for scene in dict.fromkeys(r["scene"] for r in rows):
             axis.loglog(*zip(*line), "o-" if settings == "converged" else "s--",
                         label=f"{scene}, {settings}")
 for axis, what in zip(axes, ("place, error [% of the way]", "angle, error [%]")):
+    axis.set_xticks([2.5e-4, 5e-4, 1e-3, 2e-3], ["2.5e-4", "5e-4", "1e-3", "2e-3"])
+    axis.minorticks_off()
     axis.set_xlabel("time step [s]")
     axis.set_ylabel(what)
-axes[0].legend(fontsize=7)
+axes[0].legend(fontsize=7, loc="lower right")
 figure.tight_layout()
 save(figure, "motionOrder.png")
 results.write()

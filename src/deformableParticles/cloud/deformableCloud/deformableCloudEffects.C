@@ -37,8 +37,8 @@ void Foam::deformableCloud::refuseIdleEffects() const
     )
     {
         FatalIOErrorInFunction(getDict(dict_, "integrator"))
-            << "Friction in a contact model needs an implicit integrator. Valid"
-            << " here: implicitEuler" << exit(FatalIOError);
+            << "Entries 'friction' and 'rollingFriction' of a contact model need an"
+            << " implicit integrator. Valid here: implicitEuler" << exit(FatalIOError);
     }
     if
     (

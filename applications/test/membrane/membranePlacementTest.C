@@ -41,6 +41,12 @@ autoPtr<openCloud> scene(const string& placement)
                 "    }"
                 "    bead { shape { type chain; nSpheres 1; sphereRadius 2e-6; }"
                 "        density 1000; }"
+                "    smallCapsule"
+                "    {"
+                "        shape { type icosphere; radius 2e-6; subdivisions 1; }"
+                "        density 1000;"
+                "        membrane { a { type neoHookean; shearModulus 1e-6; } }"
+                "    }"
                 "}"
                 "placement { " + placement + " }"
                 "effects { fluid on; }"
@@ -104,7 +110,8 @@ TEST_CASE("placement of membranes: packed by their surfaces", "[membrane][parall
 {
     const string of = GENERATE
     (
-        string("clumpType capsule; haematocrit 0.45;"),
+        // At 45 %, not all ways of packing capsules of 3 um between the walls succeed
+        string("clumpType smallCapsule; haematocrit 0.45;"),
         string("clumpType cell; haematocrit 0.3;"),
         string("fractions { cell 0.4; capsule 0.3; bead 0.3; } haematocrit 0.3;")
     );

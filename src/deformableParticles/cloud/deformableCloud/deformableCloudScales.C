@@ -63,6 +63,37 @@ scalar viscosity(const dictionary& transport)
 }
 
 
+//- Second derivative of the energy of a membrane by the logarithmic strain of a pure shear
+//  across x, y or z, their mean over its volume [Pa]
+scalar stressOfShear(const membraneMechanics& membrane)
+{
+    const scalar stretch = 1.01;
+    const auto energy = [&](const direction d, const scalar lambda)
+    {
+        pointField x(membrane.stressFree());
+        for (point& p : x)
+        {
+            p[d] *= lambda;
+            p[(d + 1) % 3] /= lambda;
+        }
+        vectorField gradient(x.size(), Zero);
+        return membrane.add(x, gradient);
+    };
+
+    scalar sum = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        sum += energy(d, stretch) + energy(d, 1/stretch) - 2*energy(d, 1);
+    }
+    return
+        sum
+       /(
+            3*sqr(Foam::log(stretch))
+           *membrane.surface().volume(membrane.stressFree())
+        );
+}
+
+
 //- Largest of the entries velocity [m/s] of clumps that are placed or injected
 scalar givenSpeed(const dictionary& clumpProperties)
 {
@@ -124,7 +155,22 @@ const Foam::PtrList<Foam::clumpType>& Foam::deformableCloud::readModels()
     )
     {
         string reason;
-        const scalar stress = contactStress(reason);
+        scalar stress = contactStress(reason);
+        scalar ofShear = 0;
+        forAll(types_, i)
+        {
+            if (types_[i].hasSurface())
+            {
+                ofShear = max(ofShear, stressOfShear(membranes_[i].mechanics()));
+            }
+        }
+
+        // Stiffer contacts would be of no use: the membranes deform instead
+        if (ofShear > 0 && ofShear < stress)
+        {
+            stress = ofShear;
+            reason = "that of the stiffest membrane in shear";
+        }
         membraneContacts_.setStress(min(stress, largestEntry));
         Info<< "membraneContact: " << stress << " Pa where surfaces touch, "
             << reason.c_str() << endl;

@@ -4,9 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
-#include "testCase.H"
+#include "testMembrane.H"
 #include "mathematicalConstants.H"
-#include "membraneMechanics.H"
 #include "triangleElasticity.H"
 
 using namespace Foam;
@@ -16,30 +15,7 @@ namespace
 
 const scalar pi = constant::mathematical::pi;
 
-//- A membrane of a shape, with lengths of the order of one
-struct membrane
-{
-    const dictionary dict;
-    const clumpType type;
-    const membraneMechanics mechanics;
-
-    explicit membrane
-    (
-        const string& models,
-        const string& shape = "type icosphere; radius 1; subdivisions 1;"
-    )
-    :
-        dict
-        (
-            dictOf
-            (
-                "density 1; shape { " + shape + " } membrane { " + models + " }"
-            )
-        ),
-        type("test", dict),
-        mechanics(type, dict)
-    {}
-};
+using membrane = testMembrane;
 
 //- Nodes that have moved a part of their distance from the origin
 pointField deformed(const clumpType& type, const scalar size, Random& random)

@@ -4,9 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "catch2/catch.hpp"
-#include "testCase.H"
+#include "testMembrane.H"
 #include "mathematicalConstants.H"
-#include "membraneMechanics.H"
 #include "stressFreeState.H"
 
 using namespace Foam;
@@ -17,29 +16,21 @@ namespace
 const scalar pi = constant::mathematical::pi;
 
 struct membraneShape
+:
+    public testMembrane
 {
-    const dictionary dict;
-    const clumpType type;
-    const membraneMechanics mechanics;
-
     explicit membraneShape
     (
         const string& stressFree,
         const string& shape = "type biconcave; diameter 2; subdivisions 3;"
     )
     :
-        dict
+        testMembrane
         (
-            dictOf
-            (
-                "density 1; shape { " + shape + " } membrane {"
-                " strain { type skalak; shearModulus 2; areaRatio 10; }"
-                " area { type surfaceArea; areaModulus 5; }"
-              + stressFree + "}"
-            )
-        ),
-        type("test", dict),
-        mechanics(type, dict)
+            "strain { type skalak; shearModulus 2; areaRatio 10; }"
+            " area { type surfaceArea; areaModulus 5; }" + stressFree,
+            shape
+        )
     {}
 
     scalar energy(const pointField& x) const

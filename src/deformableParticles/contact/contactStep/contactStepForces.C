@@ -197,11 +197,7 @@ Foam::symmTensorField Foam::contactStep::stiffness(const label m) const
     for (label n = begins_[a]; n < begins_[a + 1]; ++n)
     {
         const touch& t = touches_[n];
-        k[t.i] += t.w.stiffness*sqr(t.n);
-        if (rubs_ && t.pressed > 0)
-        {
-            k[t.i] += t.sliding.tangent(slip(t), t.slipNormal);
-        }
+        k[t.i] += t.w.stiffness*sqr(t.n) + t.sliding.tangent;
     }
     return k;
 }

@@ -41,26 +41,21 @@ Eigen::Vector3d column(const vector& v)
 }
 
 
-void Foam::contactStep::frictionPotential::evaluate(const vector& s)
-{
-    const scalar root = Foam::sqrt(magSqr(s) + sqr(smooth));
-    energy = limit*(root - smooth);
-    force = -limit/max(root, VSMALL)*s;
-}
-
-
-Foam::symmTensor Foam::contactStep::frictionPotential::tangent
+void Foam::contactStep::frictionPotential::evaluate
 (
     const vector& s,
     const vector& n
-) const
+)
 {
-    if (limit <= 0 || smooth <= 0)
-    {
-        return Zero;
-    }
     const scalar root2 = magSqr(s) + sqr(smooth);
-    return limit/Foam::sqrt(root2)*(symmTensor::I - sqr(n) - sqr(s)/root2);
+    const scalar root = Foam::sqrt(root2);
+    energy = limit*(root - smooth);
+    force = -limit/max(root, VSMALL)*s;
+    tangent = Zero;
+    if (limit > 0 && smooth > 0)
+    {
+        tangent = limit/root*(symmTensor::I - sqr(n) - sqr(s)/root2);
+    }
 }
 
 
@@ -71,8 +66,8 @@ void Foam::contactStep::setPressed(touch& t) const
     const scalar friction = t.law ? t.law->friction() : 0;
     const scalar rolling = t.law ? t.law->rollingFriction() : 0;
     const scalar moved = 1e-3*smoothing_*t.pressed*sqr(dt_)/max(t.m, VSMALL);
-    t.sliding = {friction*t.pressed, friction*moved, Zero, 0};
-    t.rolling = {rolling*t.R*t.pressed, rolling*moved/t.R, Zero, 0};
+    t.sliding = {friction*t.pressed, friction*moved, Zero, Zero, 0};
+    t.rolling = {rolling*t.R*t.pressed, rolling*moved/t.R, Zero, Zero, 0};
 
     // The place of contact is in the middle of the overlap, at the wall in its plane
     const scalar radius = type(t.a).radii()[t.i];
@@ -138,12 +133,12 @@ void Foam::contactStep::evaluateFriction(touch& t) const
 {
     if (rubs_ && t.pressed > 0)
     {
-        t.sliding.evaluate(slip(t));
-        t.rolling.evaluate(roll(t));
+        t.sliding.evaluate(slip(t), t.slipNormal);
+        t.rolling.evaluate(roll(t), t.slipNormal);
     }
     else
     {
-        t.sliding = t.rolling = {0, 0, Zero, 0};
+        t.sliding = t.rolling = {0, 0, Zero, Zero, 0};
     }
 }
 
@@ -158,13 +153,13 @@ void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
         {
             continue;
         }
-        const Eigen::Matrix3d A(matrix(t.sliding.tangent(slip(t), t.slipNormal)));
+        const Eigen::Matrix3d A(matrix(t.sliding.tangent));
         const Eigen::Matrix3d N(t.arm*crossing(t.slipNormal));
         clumpTangent::block& D = K.diagonal(t.i);
         D.topRightCorner<3, 3>() += A*N;
         D.bottomLeftCorner<3, 3>() += N.transpose()*A;
         D.bottomRightCorner<3, 3>() +=
-            N.transpose()*A*N + matrix(t.rolling.tangent(roll(t), t.slipNormal));
+            N.transpose()*A*N + matrix(t.rolling.tangent);
     }
 }
 
@@ -190,8 +185,8 @@ void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
             (
                 t.otherArm*(n ^ turns[t.slot][t.j]) - dx
             );
-            const vector f(t.sliding.tangent(slip(t), n) & ofOther);
-            const vector moment(t.rolling.tangent(roll(t), n) & turns[t.slot][t.j]);
+            const vector f(t.sliding.tangent & ofOther);
+            const vector moment(t.rolling.tangent & turns[t.slot][t.j]);
             Ap[m].segment<3>(6*t.i) += column(f);
             Ap[m].segment<3>(6*t.i + 3) += column(t.arm*(f ^ n) - moment);
         }

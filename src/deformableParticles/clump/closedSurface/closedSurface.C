@@ -7,6 +7,7 @@
 #include "error.H"
 #include "HashTable.H"
 #include "labelPair.H"
+#include <set>
 
 namespace
 {
@@ -117,6 +118,32 @@ void Foam::closedSurface::setHinges(const dictionary& dict)
         }
     }
     hinges_.transfer(hinges);
+}
+
+
+Foam::labelListList Foam::closedSurface::nodesAround(const label nEdges) const
+{
+    labelListList around(nNodes_);
+    for (const hinge& h : hinges_)
+    {
+        around[h.i].append(h.j);
+        around[h.j].append(h.i);
+    }
+    labelListList result(nNodes_);
+    forAll(result, i)
+    {
+        std::set<label> nodes({i});
+        for (const label j : around[i])
+        {
+            nodes.insert(j);
+            if (nEdges > 1)
+            {
+                nodes.insert(around[j].begin(), around[j].end());
+            }
+        }
+        result[i] = labelList(nodes.begin(), nodes.end());
+    }
+    return result;
 }
 
 

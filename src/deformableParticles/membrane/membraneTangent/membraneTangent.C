@@ -6,7 +6,6 @@
 #include "membraneTangent.H"
 #include <Eigen/LU>
 #include <algorithm>
-#include <set>
 
 Foam::membraneTangent::membraneTangent
 (
@@ -18,26 +17,15 @@ Foam::membraneTangent::membraneTangent
     later_(surface.nNodes())
 {
     const label n = surface.nNodes();
-    labelListList around(n);
-    for (const closedSurface::hinge& h : surface.hinges())
-    {
-        around[h.i].append(h.j);
-        around[h.j].append(h.i);
-    }
-
+    const labelListList around(surface.nodesAround(rings));
     std::vector<int> counts(3*n);
     for (label i = 0; i < n; ++i)
     {
-        std::set<label> nodes({i});
-        for (const label j : around[i])
-        {
-            nodes.insert(j);
-            if (rings > 1)
-            {
-                nodes.insert(around[j].begin(), around[j].end());
-            }
-        }
-        later_[i] = labelList(nodes.lower_bound(i), nodes.end());
+        const labelList& nodes = around[i];
+        later_[i] = labelList
+        (
+            std::lower_bound(nodes.begin(), nodes.end(), i), nodes.end()
+        );
         for (label c = 0; c < 3; ++c)
         {
             counts[3*i + c] = 3*later_[i].size() - c;

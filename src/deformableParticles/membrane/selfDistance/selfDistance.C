@@ -8,7 +8,6 @@
 #include "pointGrid.H"
 #include "triangle.H"
 #include <algorithm>
-#include <set>
 
 namespace
 {
@@ -27,7 +26,7 @@ Foam::selfDistance::selfDistance
 :
     surface_(surface),
     triangles_(surface.nNodes()),
-    near_(surface.nNodes()),
+    near_(surface.nodesAround(2)),
     thickness_(GREAT)
 {
     forAll(surface.triangles(), n)
@@ -36,21 +35,6 @@ Foam::selfDistance::selfDistance
         {
             triangles_[i].append(n);
         }
-    }
-    labelListList around(surface.nNodes());
-    for (const closedSurface::hinge& h : surface.hinges())
-    {
-        around[h.i].append(h.j);
-        around[h.j].append(h.i);
-    }
-    forAll(near_, i)
-    {
-        std::set<label> nodes(around[i].begin(), around[i].end());
-        for (const label j : around[i])
-        {
-            nodes.insert(around[j].begin(), around[j].end());
-        }
-        near_[i] = labelList(nodes.begin(), nodes.end());
     }
 
     // Not far below the least distance of nodes
@@ -142,7 +126,7 @@ Foam::DynamicList<Foam::selfDistance::place> Foam::selfDistance::find
         grid.find(boundBox(x[i] - reach, x[i] + reach), candidates);
         for (const label j : candidates)
         {
-            if ((n[i] & n[j]) >= facing || j == i || isNear(i, j))
+            if ((n[i] & n[j]) >= facing || isNear(i, j))
             {
                 continue;
             }

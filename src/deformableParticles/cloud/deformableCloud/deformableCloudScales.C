@@ -80,10 +80,10 @@ scalar stressOfShear(const membraneMechanics& membrane)
         return membrane.add(x, gradient);
     };
 
-    scalar sum = 0;
+    scalar sum = -6*energy(0, 1);
     for (direction d = 0; d < 3; ++d)
     {
-        sum += energy(d, stretch) + energy(d, 1/stretch) - 2*energy(d, 1);
+        sum += energy(d, stretch) + energy(d, 1/stretch);
     }
     return
         sum

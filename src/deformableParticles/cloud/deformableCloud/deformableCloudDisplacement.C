@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "foamCompat.H"
 #include "nearestCentres.H"
 #include "IPstream.H"
 #include "OPstream.H"
@@ -37,9 +38,7 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
         DynamicList<vector>& ofImages
     )
     {
-        boundBox box(ghosts_.box(to.proci));
-        box.min() -= reach*vector::one;
-        box.max() += reach*vector::one;
+        const boundBox box(grown(ghosts_.box(to.proci), reach));
         for (const label s : to.shifts)
         {
             const vector& shift = ghosts_.shifts()[s];

@@ -218,9 +218,7 @@ void Foam::ghostExchange::findNeighbours(const scalar reach)
     neighbours_.clear();
     ++nSearches_;
 
-    boundBox mine(localBox());
-    mine.min() -= 2*reach_*vector::one;
-    mine.max() += 2*reach_*vector::one;
+    const boundBox mine(grown(localBox(), 2*reach_));
 
     forAll(procBoxes_, proci)
     {
@@ -258,10 +256,7 @@ Foam::ghostExchange::partners(const scalar distance) const
     DynamicList<partner> result;
     forAll(procBoxes_, proci)
     {
-        boundBox standing(procBoxes_[max(me, proci)]);
-        standing.min() -= 7*distance/6*vector::one;
-        standing.max() += 7*distance/6*vector::one;
-
+        const boundBox standing(grown(procBoxes_[max(me, proci)], 7*distance/6));
         partner found{proci, labelList()};
         DynamicList<label> near;
         forAll(shifts_, s)
@@ -293,9 +288,7 @@ void Foam::ghostExchange::appendImages
     DynamicList<clumpImage>& images
 ) const
 {
-    boundBox reachable(procBoxes_[proci]);
-    reachable.min() -= reach_*vector::one;
-    reachable.max() += reach_*vector::one;
+    const boundBox reachable(grown(procBoxes_[proci], reach_));
 
     for (const vector& shift : shifts_)
     {

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactStep.H"
+#include "foamCompat.H"
 #include "sphereGrid.H"
 #include <algorithm>
 
@@ -129,10 +130,8 @@ void Foam::contactStep::findWalls(const label a)
     const scalar width =
         max(type(a).radii()) + span_*max(mag(p.state().u)) + slack_
       + gaps_.range(cellWidths_[a]);
-    boundBox box(p.centres(), false);
-    box.min() -= width*vector::one;
-    box.max() += width*vector::one;
-    wallsNear_[a] = walls_.surface().near(box);
+    wallsNear_[a] =
+        walls_.surface().near(grown(boundBox(p.centres(), false), width));
 }
 
 
@@ -217,7 +216,6 @@ void Foam::contactStep::setImages(const bool betweenClumps)
     forAll(images, a)
     {
         const clumpParcel& p = clumps_[a];
-        const vector margin((slack_ + 0.5*range_)*vector::one);
         clumpImage& image = images[a];
         image.set(p, type(a), p.state(), a);
         boundBox& box = image.box;
@@ -227,8 +225,7 @@ void Foam::contactStep::setImages(const bool betweenClumps)
             box.add(end - type(a).radii()[i]*vector::one);
             box.add(end + type(a).radii()[i]*vector::one);
         }
-        box.min() -= margin;
-        box.max() += margin;
+        box = grown(box, slack_ + 0.5*range_);
         const point centre(p.position());
         image.reach = max
         (
@@ -257,10 +254,7 @@ void Foam::contactStep::findPairs()
         {
             boundBox path(image.x[i], image.x[i]);
             path.add(image.x[i] + span_*image.u[i]);
-            const vector width((r[i] + slack_ + 0.5*range_)*vector::one);
-            path.min() -= width;
-            path.max() += width;
-            if (path.overlaps(box))
+            if (grown(path, r[i] + slack_ + 0.5*range_).overlaps(box))
             {
                 found.append(i);
             }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphereGrid.H"
+#include "foamCompat.H"
 #include "pointGrid.H"
 #include <algorithm>
 #include <cmath>
@@ -60,9 +61,7 @@ void Foam::sphereGrid::forEachNear
     DynamicList<label> found, near;
     for (label a = 0; a < nOwn; ++a)
     {
-        boundBox box(images[a].box);
-        box.min() -= margins[a]*vector::one;
-        box.max() += margins[a]*vector::one;
+        const boundBox box(grown(images[a].box, margins[a]));
 
         near.clear();
         for (const auto& l : all)

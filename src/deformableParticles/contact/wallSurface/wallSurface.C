@@ -5,6 +5,7 @@
 
 #include "wallSurface.H"
 #include "faceTriangles.H"
+#include "foamCompat.H"
 #include "wallPolyPatch.H"
 #include "PstreamBuffers.H"
 #include "ListOps.H"
@@ -70,9 +71,7 @@ void Foam::wallSurface::collect
     {
         DynamicList<point> found;
         const scalar width = 20*ghosts.reach();
-        boundBox box(ghosts.box(proci));
-        box.min() -= width*vector::one;
-        box.max() += width*vector::one;
+        const boundBox box(grown(ghosts.box(proci), width));
         forAll(ghosts.shifts(), s)
         {
             if (proci == Pstream::myProcNo() && s == 0)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "immersedBoundary.H"
+#include "foamCompat.H"
 #include "sphereUnion.H"
 #include "fvmSup.H"
 #include "zeroGradientFvPatchFields.H"
@@ -311,11 +312,7 @@ void Foam::immersedBoundary::setCloseness(const UList<clumpImage>& images)
         const scalarField& radii = types_[image.typeId].radii();
         const scalar r = min(radii);
 
-        boundBox box(image.box);
-        box.min() -= r*vector::one;
-        box.max() += r*vector::one;
-
-        for (const label celli : geometry_.find(box, 0))
+        for (const label celli : geometry_.find(grown(image.box, r), 0))
         {
             const scalar d = sphereUnion::distance
             (

@@ -5,6 +5,7 @@
 
 #include "membraneContacts.H"
 #include "checkedEntries.H"
+#include "foamCompat.H"
 #include "sphereGrid.H"
 
 namespace
@@ -39,12 +40,6 @@ vector coordinatesOf(const triFace& t, const pointField& x, const point& p)
     const scalar ofA = ((r ^ b) & n)/size;
     const scalar ofB = ((a ^ r) & n)/size;
     return vector(1 - ofA - ofB, ofA, ofB);
-}
-
-
-boundBox grown(const boundBox& box, const scalar width)
-{
-    return boundBox(box.min() - width*vector::one, box.max() + width*vector::one);
 }
 
 

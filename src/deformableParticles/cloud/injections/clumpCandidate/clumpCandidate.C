@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpCandidate.H"
+#include "foamCompat.H"
 #include "PtrList.H"
 #include "surfaceDistance.H"
 
@@ -28,9 +29,7 @@ bool near
         other.hasSurface() ? scalarField(x.size(), Zero) : other.radii()
     );
     const scalar most = max(max(r) + gap, scalar(0));
-    boundBox box(nodes, false);
-    box.min() -= most*vector::one;
-    box.max() += most*vector::one;
+    const boundBox box(grown(boundBox(nodes, false), most));
     DynamicList<label> inBox;
     forAll(x, i)
     {

@@ -254,7 +254,7 @@ void Foam::clumpPacking::addToSurface
     // In the frame of the membrane at rest, those that are near
     const tensor R(membrane.omega[0], membrane.omega[1], membrane.omega[2]);
     const scalar most = max(P.r) + gap/scale_;
-    const boundBox reach(M.box.min() - most*vector::one, M.box.max() + most*vector::one);
+    const boundBox reach(grown(M.box, most));
     DynamicList<label> near;
     DynamicList<point> local;
     forAll(points.x, i)

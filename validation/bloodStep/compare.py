@@ -1,16 +1,26 @@
 """Blood over the time step: viscosity and discharge haematocrit against the smallest step."""
 
+import math
+
 from results import Results, plt, read, save
 
 TODAY = {"tube": 2e-4, "shear": 5e-4}       # steps of the tutorials [s]
+CORRECTORS = {"plain": "one corrector, nothing carried", "one": "one corrector",
+              "two": "two correctors"}
+SHADES = {"plain": "0.6", "one": "C2", "two": "C3"}
 rows = read("data.csv")
 results = Results()
-figure, axes = plt.subplots(1, 2, figsize=(9, 4))
+figure, axes = plt.subplots(1, 2, figsize=(12, 4))
 
 
 def spent(row):
     """Milliseconds of one core per clump and simulated millisecond."""
     return row["seconds"]/(row["cells"]*row["end_s"])
+
+
+def noise(row, best, quantity):
+    """Standard error of the difference of two runs, relative to the second."""
+    return math.hypot(*(r[f"{quantity}_error"] for r in (row, best)))/best[quantity]
 
 
 for scene in dict.fromkeys(r["scene"] for r in rows):
@@ -21,10 +31,10 @@ for scene in dict.fromkeys(r["scene"] for r in rows):
     for r in runs:
         mesh = "mesh slides" if r["sliding"] == "auto" else "mesh at rest"
         name = f"{scene}, {r['deltaT_s']:g} s, {mesh}"
-        if r["correctors"] == "one":
-            name += ", one corrector, nothing carried"
+        if r["correctors"] != "many":
+            name += f", {CORRECTORS[r['correctors']]}"
         off = r["muRel"]/best["muRel"] - 1
-        error = (r["muRel_error"]**2 + best["muRel_error"]**2)**0.5/best["muRel"]
+        error = noise(r, best, "muRel")
         print(f"{name}: viscosity {r['muRel']:.3f} +- {r['muRel_error']:.3f} ({100*off:+.1f} +- "
               f"{100*error:.1f} %), Ht/Hd {r['HtHd']:.3f}, {r['mean_correctors']:.1f} correctors, "
               f"{spent(r):.1f} ms per cell and ms, {spent(r)/spent(usual):.2f} of today")
@@ -34,22 +44,24 @@ for scene in dict.fromkeys(r["scene"] for r in rows):
                             f"{100*(0.02 + 2*error):.3g}%", "the smallest step, 2 % + 2 errors")
                 if scene == "tube":
                     results.add(f"{name}: tube over discharge haematocrit", r["HtHd"], "-",
-                                best["HtHd"], "2%", "the smallest step")
+                                best["HtHd"], f"{100*(0.02 + 2*noise(r, best, 'HtHd')):.3g}%",
+                                "the smallest step, 2 % + 2 errors")
             else:
                 results.report(f"{name}: viscosity over that of the smallest step", 1 + off, "-",
                                "")
         results.report(f"{name}: time per cell over that of {TODAY[scene]:g} s",
                        spent(r)/spent(usual), "-", "")
     for mesh, marker in ("auto", "o-"), ("off", "s--"):
-        for correctors, shade in ("many", "C0" if scene == "tube" else "C1"), ("one", "0.5"):
+        for correctors in "many", *CORRECTORS:
+            shade = SHADES.get(correctors, "C0" if scene == "tube" else "C1")
             line = sorted((r["deltaT_s"], r["muRel"]/best["muRel"], r["muRel_error"]/best["muRel"],
                            spent(r)) for r in runs
                           if r["sliding"] == mesh and r["correctors"] == correctors)
             if not line:
                 continue
             label = f"{scene}, mesh {'slides' if mesh == 'auto' else 'at rest'}"
-            if correctors == "one":
-                label += ", one corrector"
+            if correctors != "many":
+                label += f", {CORRECTORS[correctors]}"
             steps, values, errors, costs = zip(*line)
             axes[0].errorbar(steps, values, errors, fmt=marker, color=shade, label=label)
             axes[1].loglog(steps, costs, marker, color=shade)
@@ -57,7 +69,8 @@ axes[0].set_xscale("log")
 axes[0].axhspan(0.98, 1.02, color="0.9", zorder=0)
 axes[0].set_xlabel("time step [s]")
 axes[0].set_ylabel("viscosity over that of the smallest step")
-axes[0].legend(fontsize=7)
+axes[1].legend(*axes[0].get_legend_handles_labels(), fontsize=7, bbox_to_anchor=(1.02, 1),
+               loc="upper left")
 axes[1].set_xlabel("time step [s]")
 axes[1].set_ylabel("ms of one core per cell and simulated ms")
 figure.tight_layout()

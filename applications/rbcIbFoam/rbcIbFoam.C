@@ -94,13 +94,7 @@ int main(int argc, char* argv[])
         if (flow.solved())
         {
             convection.decide(U, nu);
-            timeStep.measure
-            (
-                sliding.flux(), nu, piso,
-                cloud.coupled() && effects.active("convection")
-              ? cloud.maxSpeedOverMesh()
-              : 0
-            );
+            timeStep.measure(sliding.flux(), nu, piso);
         }
         if (!resistance.wanted())
         {
@@ -119,8 +113,8 @@ int main(int argc, char* argv[])
             if (flow.solved())
             {
                 sliding.beginStep();
-                coupling.beginStep();
                 refineAroundClumps(mesh, cloud, flow);
+                coupling.beginStep();
 
                 if (cloud.coupled())
                 {

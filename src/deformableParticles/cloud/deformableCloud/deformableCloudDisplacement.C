@@ -9,12 +9,27 @@
 #include "IPstream.H"
 #include "OPstream.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- From 1 at two thirds of the reach smoothly to 0 at the reach
+scalar fading(const scalar part)
+{
+    const scalar x = min(max(3*(1 - part), scalar(0)), scalar(1));
+    return sqr(x)*(3 - 2*x);
+}
+
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
 {
     const scalar half = 0.5*mesh_.time().deltaTValue();
     pointField from(size());
     vectorField by(size());
-    scalar reach = 0;
+    const scalar reach = 3*largestDiameter();
     label index = 0;
     for (const clumpParcel& p : *this)
     {
@@ -24,10 +39,6 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
             p.sinceMet()
           + (type(p).hasSurface() ? 2 : 1)*half*velocityOverMesh(p);
         ++index;
-    }
-    for (const clumpType& ct : types_)
-    {
-        reach = max(reach, 6*ct.reach());
     }
 
     // To every processor the clumps and periodic images within reach of its box
@@ -96,7 +107,10 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
     {
         if (nearest[celli] >= 0)
         {
-            result.ref()[celli] = ofImages[nearest[celli]];
+            const label k = nearest[celli];
+            result.ref()[celli] =
+                fading(mag(mesh_.cellCentres()[celli] - images[k])/reach)
+               *ofImages[k];
         }
     }
     result.ref().correctBoundaryConditions();

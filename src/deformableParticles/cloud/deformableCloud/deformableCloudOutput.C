@@ -51,14 +51,14 @@ Foam::scalar Foam::deformableCloud::maxSpeed() const
 }
 
 
-Foam::scalar Foam::deformableCloud::maxSpeedOverMesh() const
+Foam::scalar Foam::deformableCloud::largestDiameter() const
 {
     scalar result = 0;
-    for (const clumpParcel& p : *this)
+    for (const clumpType& ct : types_)
     {
-        result = max(result, mag(velocityOverMesh(p)));
+        result = max(result, 2*ct.reach());
     }
-    return returnReduce(result, maxOp<scalar>());
+    return result;
 }
 
 

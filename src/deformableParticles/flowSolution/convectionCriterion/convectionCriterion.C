@@ -15,13 +15,15 @@ Foam::convectionCriterion::convectionCriterion
     effects_(cloud.effects()),
     timing_(cloud.timing()),
     neverConvects_(neverConvects),
-    size_(Foam::cbrt(gSum(refCast<const fvMesh>(cloud.pMesh()).V())))
-{
-    for (const clumpType& type : cloud.types())
-    {
-        size_ = max(size_, 2*type.reach());
-    }
-}
+    size_
+    (
+        max
+        (
+            Foam::cbrt(gSum(refCast<const fvMesh>(cloud.pMesh()).V())),
+            cloud.largestDiameter()
+        )
+    )
+{}
 
 
 void Foam::convectionCriterion::decide

@@ -49,11 +49,12 @@ Foam::couplingIteration::couplingIteration
     {
         return;
     }
-    const dictionary dict(flow.control().dict());
-    tolerance_ = dict.get<scalar>("couplingTolerance");
     acceleration_.reset
     (
-        new andersonAcceleration(dict.get<label>("andersonDepth"))
+        new andersonAcceleration
+        (
+            flow.control().dict().get<label>("andersonDepth")
+        )
     );
 }
 
@@ -121,7 +122,8 @@ bool Foam::couplingIteration::converged()
 {
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
-    if (residual_.value(p0_) < tolerance_)
+    const bool agree = residual_.value(p0_) < tolerance_;
+    if (agree && nCorrectors_ >= flow_.control().least())
     {
         return true;
     }
@@ -163,15 +165,23 @@ void Foam::couplingIteration::beginStep()
     if (clumpsFollow_)
     {
         acceleration_->clear();
+        tolerance_ = flow_.control().dict().get<scalar>("couplingTolerance");
     }
 
     // There is no pattern to be carried before the first step
     const bool started = flow_.p().time().timeIndex() > 1;
-    if (clumpsFollow_ && flow_.carriesPressure() && started)
+    if (!clumpsFollow_ || !started)
+    {
+        return;
+    }
+    const volVectorField d(cloud_.displacement());
+    if (flow_.carriesPressure())
     {
         const timeBreakdown::timer t(cloud_.timing(), "flow");
-        flow_.carryPressure(cloud_.displacement());
+        flow_.carryPressure(d);
     }
+    const timeBreakdown::timer t(cloud_.timing(), "convection");
+    flow_.carryVelocity(d, cloud_.largestDiameter());
 }
 
 

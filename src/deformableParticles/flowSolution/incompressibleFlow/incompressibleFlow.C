@@ -7,9 +7,13 @@
 #include "anyNumber.H"
 #include "checkedEntries.H"
 #include "findRefCell.H"
+#include "fvcDiv.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
+#include "fvmDdt.H"
+#include "fvmDiv.H"
 #include "fvmLaplacian.H"
+#include "fvmSup.H"
 #include "initialPressure.H"
 #include "solverSettings.H"
 #include "unsolvedPhysics.H"
@@ -236,6 +240,7 @@ Foam::incompressibleFlow::incompressibleFlow
         {
             carried_.reset(new carriedPressure(*p_, pRefCell_));
         }
+        carriedU_.reset(new carriedVelocity(*U_));
         if (control_->dict().getOrDefault<Switch>("wallMobility", true))
         {
             mobility_.reset(new wallMobility(*U_));
@@ -307,6 +312,41 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
 void Foam::incompressibleFlow::carryPressure(const volVectorField& d)
 {
     carried_->carry(d, p_->mesh().solverDict(p_->select(false)));
+}
+
+
+void Foam::incompressibleFlow::carryVelocity
+(
+    const volVectorField& d,
+    const scalar diameter
+)
+{
+    carriedU_->carry(d, diameter, gMin(nu().primitiveField()));
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::timeDerivative()
+{
+    return
+        carriedU_->active()
+      ? fvm::ddt(*U_) + carriedU_->rate()
+      : fvm::ddt(*U_);
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::convection
+(
+    tmp<surfaceScalarField> flux
+)
+{
+    // Inside a dilating clump div(phi) is not zero
+    const surfaceScalarField over
+    (
+        "over",
+        carriedU_->active() ? flux - carriedU_->flux() : flux
+    );
+    return
+        fvm::div(over, *U_, "div(phi,U)") - fvm::Sp(fvc::div(over), *U_);
 }
 
 

@@ -82,13 +82,19 @@ const Foam::dictionary Foam::outerCorrectors::dict() const
             result.add(e);
         }
     }
-    if (iterates_ && !toleranceGiven)
+    if (iterates_)
     {
-        result.set
-        (
-            "nOuterCorrectors",
-            max(result.get<label>("nOuterCorrectors"), usualNumber)
-        );
+        const label n = result.get<label>("nOuterCorrectors");
+        const bool exact = result.get<scalar>("couplingTolerance") == 0;
+        const bool fromRest = exact && n > 1 && mesh_.time().timeIndex() == 1;
+        if (fromRest || !toleranceGiven)
+        {
+            result.set("nOuterCorrectors", max(n, usualNumber));
+        }
+        if (fromRest)
+        {
+            result.set("couplingTolerance", usualTolerance);
+        }
     }
     return result;
 }
@@ -102,6 +108,15 @@ bool Foam::outerCorrectors::loop()
         endFinalIteration(mesh_);
     }
     return goesOn;
+}
+
+
+Foam::label Foam::outerCorrectors::least() const
+{
+    const dictionary given(pimpleControl::dict());
+    const bool exact =
+        given.getOrDefault<scalar>("couplingTolerance", usualTolerance) == 0;
+    return exact ? given.getOrDefault<label>("nOuterCorrectors", usualNumber) : 1;
 }
 
 

@@ -248,6 +248,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::slidingMesh::flux() const
           & mesh.Sf()
         )
     );
+    result.ref().setOriented();
     forAll(mesh.boundary(), patchi)
     {
         if (!mesh.boundary()[patchi].coupled())

@@ -51,35 +51,13 @@ void Foam::timeStepControl::checkPressure()
 }
 
 
-void Foam::timeStepControl::checkSmearing(const scalar speed, const scalar nu)
-{
-    const scalar part = 0.5*sqr(speed)*runTime_.deltaTValue()/nu;
-    if (part < 0.01)
-    {
-        return;
-    }
-    Info<< "Numerical viscosity of the clumps' motion: " << part << " nu" << endl;
-    if (part > 0.1 && !warnedOfSmearing_)
-    {
-        warnedOfSmearing_ = true;
-        WarningInFunction
-            << "The clumps move over the mesh so far in a step that the flow around"
-            << " them is smeared like by an additional viscosity u^2 dt/2 of "
-            << part << " nu. Where a clump migrates across the stream by inertia, divide"
-            << " the time step by " << part/0.1 << "; in a straight duct with periodic"
-            << " ends the effect 'sliding' removes it." << endl;
-    }
-}
-
-
 Foam::timeStepControl::timeStepControl(Time& runTime)
 :
     runTime_(runTime),
     CourantNumber_(0),
     viscousNumber_(0),
     viscousLimit_(GREAT),
-    warned_(false),
-    warnedOfSmearing_(false)
+    warned_(false)
 {
     // Other entries are those of OpenFOAM and of other solvers
     refuseMisspelt
@@ -123,8 +101,7 @@ void Foam::timeStepControl::measure
 (
     const surfaceScalarField& phi,
     const volScalarField& nu,
-    const pimpleControl& control,
-    const scalar clumpSpeed
+    const pimpleControl& control
 )
 {
     const scalar dt = runTime_.deltaTValue();
@@ -140,7 +117,6 @@ void Foam::timeStepControl::measure
     Info<< "Courant Number mean: " << 0.5*dt*gSum(flux)/gSum(V)
         << " max: " << CourantNumber_ << nl
         << "Viscous Number max: " << viscousNumber_ << endl;
-    checkSmearing(clumpSpeed, gMin(nu.primitiveField()));
 }
 
 

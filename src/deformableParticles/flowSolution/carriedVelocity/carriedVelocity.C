@@ -1,0 +1,145 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "carriedVelocity.H"
+#include "fvcFlux.H"
+#include "fvcSurfaceIntegrate.H"
+#include "gaussGrad.H"
+#include "linear.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Below this Reynolds number of a clump's motion inertia does not matter
+constexpr scalar leastRe = 0.05;
+
+//- Values on faces: linear, and four thirds of what a cubic polynomial adds
+class faceValues
+{
+    surfaceScalarField ofOwner_;
+    surfaceScalarField ofOwnerGradient_;
+    surfaceScalarField ofNeighbourGradient_;
+    const surfaceVectorField delta_;
+
+public:
+
+    explicit faceValues(const fvMesh& mesh)
+    :
+        ofOwner_(mesh.surfaceInterpolation::weights()),
+        ofOwnerGradient_(4.0/3.0*sqr(1 - ofOwner_)*ofOwner_),
+        ofNeighbourGradient_(4.0/3.0*sqr(ofOwner_)*(ofOwner_ - 1)),
+        delta_(mesh.delta())
+    {
+        ofOwner_ += 4.0/3.0*ofOwner_*(1 - ofOwner_*(3 - 2*ofOwner_));
+    }
+
+    tmp<surfaceVectorField> operator()(const volVectorField& U) const
+    {
+        const volTensorField gradU
+        (
+            fv::gaussGrad<vector>::gradf(linearInterpolate(U), "gradient")
+        );
+        const surfaceTensorField gradient
+        (
+            surfaceInterpolationScheme<tensor>::interpolate
+            (
+                gradU, ofOwnerGradient_, ofNeighbourGradient_
+            )
+        );
+        return
+            surfaceInterpolationScheme<vector>::interpolate
+            (
+                U, ofOwner_, 1 - ofOwner_
+            )
+          + (delta_ & gradient);
+    }
+};
+
+}
+
+
+Foam::carriedVelocity::carriedVelocity(const volVectorField& U)
+:
+    U_(U),
+    Euler_
+    (
+        word(U.mesh().ddtScheme("ddt(" + U.name() + ')')) == "Euler"
+    )
+{}
+
+
+void Foam::carriedVelocity::carry
+(
+    const volVectorField& d,
+    const scalar diameter,
+    const scalar leastNu
+)
+{
+    rate_.clear();
+    swept_.clear();
+
+    const fvMesh& mesh = U_.mesh();
+    const dimensionedScalar dt(mesh.time().deltaT());
+    const scalar speed = gMax(mag(d.primitiveField()))/dt.value();
+    if (!Euler_ || speed*diameter < leastRe*leastNu)
+    {
+        return;
+    }
+
+    swept_.reset(new surfaceScalarField("swept", fvc::flux(d)));
+    for (auto& patch : swept_->boundaryFieldRef())
+    {
+        if (!patch.coupled())
+        {
+            patch = Zero;
+        }
+    }
+    const scalar Courant =
+        0.5*gMax(fvc::surfaceSum(mag(*swept_))().primitiveField()/mesh.V().field());
+    const label nParts = max(label(1), label(std::ceil(Courant)));
+    const surfaceScalarField part(*swept_/nParts);
+    const volScalarField divergence(fvc::surfaceIntegrate(part));
+    const faceValues onFaces(mesh);
+
+    // Of the change of the velocity and of its derivatives the values beyond coupled
+    // patches are needed; those on others are zero
+    const auto zero = [&](const char* name)
+    {
+        return volVectorField
+        (
+            IOobject(name, mesh.time().timeName(), mesh),
+            mesh, dimensionedVector(dimVelocity, Zero)
+        );
+    };
+    volVectorField carried(zero("carried"));
+    carried == U_.oldTime();
+    volVectorField term(zero("term"));
+    for (label i = 0; i < nParts; ++i)
+    {
+        volVectorField sum(zero("sum"));
+        for (label order = 1; order <= 3; ++order)
+        {
+            const volVectorField& of = order == 1 ? carried : term;
+            const volVectorField derivative
+            (
+                divergence*of - fvc::surfaceIntegrate(part*onFaces(of)())
+            );
+            term.primitiveFieldRef() = derivative.primitiveField()/order;
+            term.correctBoundaryConditions();
+            sum.primitiveFieldRef() += term.primitiveField();
+        }
+        carried.primitiveFieldRef() += sum.primitiveField();
+        carried.correctBoundaryConditions();
+    }
+    rate_.reset(new volVectorField("rate", (U_.oldTime() - carried)/dt));
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::carriedVelocity::flux() const
+{
+    return *swept_/U_.mesh().time().deltaT();
+}

@@ -122,7 +122,8 @@ bool Foam::couplingIteration::converged()
 {
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
-    const bool agree = residual_.value(p0_) < tolerance_;
+    const scalar allowed = (nCorrectors_ == 1 ? 0.1 : 1)*tolerance_;
+    const bool agree = residual_.value(p0_) < allowed;
     if (agree && nCorrectors_ >= flow_.control().least())
     {
         return true;

@@ -102,6 +102,7 @@ TEST_CASE("carriedVelocity: a uniform velocity is carried to itself")
     volVectorField d(blank("d", dimLength));
     setWaves(d, 2, Zero);
     d.primitiveFieldRef() *= 1e-3;
+    d.correctBoundaryConditions();
     carriedVelocity carried(U);
     carried.carry(d, D, nuOf(vector(1e-6, 0, 0)));
     REQUIRE(carried.active());

@@ -44,6 +44,15 @@ void Foam::deformableCloud::accept()
 }
 
 
+void Foam::deformableCloud::decideEffects()
+{
+    decisions_.decide
+    (
+        *this, nClumps(), ghosts_, g_, hasFluid() ? fluidDensity() : 0
+    );
+}
+
+
 void Foam::deformableCloud::lookAhead()
 {
     const scalar dt = mesh_.time().deltaTValue();

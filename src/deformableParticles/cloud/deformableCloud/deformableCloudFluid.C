@@ -24,7 +24,18 @@ void Foam::deformableCloud::immerse
         lookAhead();
     }
     updateGhosts();
-    beginContacts(moving);
+    if (coupling_->surfaces() && moving)
+    {
+        if (decisions_.wallsMayTouch())
+        {
+            walls_.update(ghosts_);
+        }
+        membranes_.beginContacts(*this, ghosts_, meshVelocity_);
+    }
+    else
+    {
+        membranes_.clearContacts();
+    }
 
     const timeBreakdown::timer t(timing_, "solid fraction");
     coupling_->boundary().update(ghosts_.images(), nu);
@@ -76,7 +87,48 @@ void Foam::deformableCloud::impose()
     }
     ghosts_.updateVelocities();
     coupling_->boundary().impose(ghosts_.images());
-    imposeMembranes();
+    if (surfaceImmersion* surfaces = coupling_->surfaces())
+    {
+        membranes_.impose
+        (
+            *this, ghosts_, *surfaces, decisions_.clumpsMayTouch(),
+            decisions_.wallsMayTouch() ? &walls_.surface() : nullptr
+        );
+    }
+}
+
+
+void Foam::deformableCloud::immerseMembranes()
+{
+    surfaceImmersion* surfaces = coupling_->surfaces();
+    if (!surfaces)
+    {
+        return;
+    }
+    membranes_.immerse(*this, ghosts_, *surfaces);
+    loads_.sample(ghosts_);
+    label index = -1;
+    for (clumpParcel& p : *this)
+    {
+        ++index;
+        if (type(p).hasSurface())
+        {
+            // As in solveOnce
+            externalForces& ext = p.step().forces;
+            ext = externalForces(type(p).size());
+            addWeight(p, ext);
+            loads_.add(p, index, ext);
+        }
+    }
+}
+
+
+void Foam::deformableCloud::sampleMembranes(const volVectorField& U)
+{
+    if (surfaceImmersion* surfaces = coupling_->surfaces())
+    {
+        membranes_.sample(U, *this, ghosts_, *surfaces, coupling_->viscosity());
+    }
 }
 
 
@@ -162,11 +214,10 @@ bool Foam::deformableCloud::startWithFlow
     {
         openPatches_.warnOfClosed(U);
     }
-    if (!returnReduce(starts_, orOp<bool>()))
+    if (!start_.starts())
     {
         return false;
     }
-    starts_ = false;
     updateGhosts();
     coupling_->sampleVelocity(U, nu, ghosts_.images());
     ghosts_.returnForces();
@@ -181,7 +232,7 @@ bool Foam::deformableCloud::startWithFlow
     for (clumpParcel& p : *this)
     {
         const clumpImage& image = ghosts_.images()[index++];
-        if (followFlow_.found(p.origId()) && !type(p).fixed())
+        if (start_.followsFlow(p) && !type(p).fixed())
         {
             if (type(p).hasSurface())
             {
@@ -193,13 +244,13 @@ bool Foam::deformableCloud::startWithFlow
             }
             const vector held
             (
-                constraints_[p.typeId()] & p.state().velocity(type(p))
+                loads_.held(p.typeId()) & p.state().velocity(type(p))
             );
             p.state().u -= held;
         }
-        some = some || (!followFlow_.found(p.origId()) && max(mag(p.state().u)) > 0);
+        some = some || (!start_.followsFlow(p) && max(mag(p.state().u)) > 0);
     }
-    followFlow_.clear();
+    start_.end();
 
     // What starts with a velocity of its own starts with the fluid inside it
     if (!coupled() || !returnReduce(some, orOp<bool>()))
@@ -242,11 +293,7 @@ Foam::symmTensor Foam::deformableCloud::held() const
     {
         result += symmTensor(I);
     }
-    for (const load& l : loads_)
-    {
-        result += l.holds() ? symmTensor(I) : l.constraint();
-    }
-    return result;
+    return result + loads_.held();
 }
 
 
@@ -320,7 +367,7 @@ void Foam::deformableCloud::meshChanged()
     {
         coupling_->surfaces()->meshChanged();
     }
-    renewWalls();
+    decisions_.renewWalls(ghosts_);
     injector_->meshChanged();
     openPatches_.clear();
 }

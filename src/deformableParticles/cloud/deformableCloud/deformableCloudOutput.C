@@ -87,14 +87,14 @@ Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii)
         hasFluid()
       ? gMin(mesh_.lookupObject<volScalarField>("nu").primitiveField()) : 0;
 
-    if (loads_.size())
+    if (!loads_.empty())
     {
         for (clumpParcel& p : *this)
         {
             p.step().ahead = Zero;
         }
         updateGhosts();
-        sampleLoads();
+        loads_.sample(ghosts_);
     }
 
     scalar result = GREAT;
@@ -112,15 +112,7 @@ Foam::scalar Foam::deformableCloud::releaseStep(const scalar radii)
         {
             F += (ct.mass() - rho*ct.volume())*g_;
         }
-        for (const load& l : loads_)
-        {
-            externalForces ext(ct.size());
-            addLoad(l, p, index, ext);
-            if (max(mag(ext.k)) == 0)
-            {
-                F += sum(ext.f);
-            }
-        }
+        F += loads_.steadyForce(p, index);
 
         const scalar size = max(mag(F), VSMALL);
         const scalar way = radii*ct.halfWidth();

@@ -11,7 +11,10 @@ void Foam::deformableCloud::solve(const scalar dt)
     {
         p.step().overshootsBefore = p.overshoots();
     }
-    sampleLoads();
+    {
+        const timeBreakdown::timer t(timing_, "loads");
+        loads_.sample(ghosts_);
+    }
 
     // Those whose coupling coefficient is raised overshoot; a few times suffice
     constexpr label most = 3;
@@ -65,7 +68,7 @@ void Foam::deformableCloud::solveOnce(const scalar dt)
     {
         advanceAll(dt);
     }
-    while (changeHolds(dt, n++));
+    while (loads_.changeHolds(*this, dt, n++));
 
     for (clumpParcel& p : *this)
     {
@@ -93,7 +96,15 @@ void Foam::deformableCloud::advanceAll(const scalar dt)
         step.forces = step.steadyForces;
         step.forces.f += type(p).masses()/type(p).mass()*step.holdForce;
     }
-    addLoads();
+    if (!loads_.empty())
+    {
+        const timeBreakdown::timer t(timing_, "loads");
+        label index = 0;
+        for (clumpParcel& p : *this)
+        {
+            loads_.add(p, index++, p.step().forces);
+        }
+    }
 
     if (effects_.active("contact") || effects_.active("walls"))
     {
@@ -110,70 +121,26 @@ void Foam::deformableCloud::advanceAll(const scalar dt)
 }
 
 
-bool Foam::deformableCloud::changeHolds(const scalar dt, const label n)
+void Foam::deformableCloud::addWeight
+(
+    const clumpParcel& p,
+    externalForces& ext
+) const
 {
-    if (tr(sum(constraints_)) <= 0)
+    if (effects_.active("gravity"))
     {
-        return false;
-    }
-
-    constexpr label most = 20;
-    scalar farthest = 0;
-    for (clumpParcel& p : *this)
-    {
+        const timeBreakdown::timer t(timing_, "gravity");
+        const scalar rho = hasFluid() ? fluidDensity() : 0;
         const clumpType& ct = type(p);
-        const symmTensor& along = constraints_[p.typeId()];
-        clumpStep& step = p.step();
-        const vector strayed
-        (
-            along & (step.end.centre(ct) - p.state().centre(ct))
-        );
-        farthest = max(farthest, mag(strayed)/min(ct.radii()));
-
-        // The secant through the last two solutions; before, mass and coupling alone
-        const scalar inertia = ct.mass()/dt + sum(step.forces.zeta);
-        const vector change(strayed - step.strayed);
-        if (n == 0)
+        if (ct.hasSurface())
         {
-            step.holdStiffness = inertia/dt;
-        }
-        else if
-        (
-            mag(change) > 0.1*mag(step.strayed) && (step.strayed & change) < 0
-        )
-        {
-            step.holdStiffness *= -(step.strayed & change)/magSqr(change);
-        }
-        step.strayed = strayed;
-    }
-    reduce(farthest, maxOp<scalar>());
-
-    const bool again = farthest > 1e-9 && n + 1 < most;
-    if (farthest > 1e-6 && !again)
-    {
-        WarningInFunction
-            << "A clump that is held has strayed by " << farthest
-            << " sphere radii in the step; it is put back." << endl;
-    }
-    for (clumpParcel& p : *this)
-    {
-        const clumpType& ct = type(p);
-        clumpStep& step = p.step();
-        if (again)
-        {
-            step.holdForce -= step.holdStiffness*step.strayed;
+            ext.f += membranes_.weight(p, rho, g_);
         }
         else
         {
-            // What is left is below the tolerance of the solution
-            const vector du(constraints_[p.typeId()] & step.end.velocity(ct));
-            step.forces.f -=
-                (ct.masses()/dt + step.forces.zeta)*du;
-            step.end.x -= step.strayed;
-            step.end.u -= du;
+            ext.f += ct.excessMasses(rho, p.state().x)*g_;
         }
     }
-    return again;
 }
 
 
@@ -187,17 +154,11 @@ void Foam::deformableCloud::setSteadyForces
     externalForces& ext = p.step().steadyForces;
     ext = externalForces(ct.size());
 
+    addWeight(p, ext);
     if (ct.hasSurface())
     {
-        setNodeForces(p, ext);
         momentum_.addFluid(p, vectorField());
         return;
-    }
-    if (effects_.active("gravity"))
-    {
-        const timeBreakdown::timer t(timing_, "gravity");
-        const scalar rho = hasFluid() ? fluidDensity() : 0;
-        ext.f += ct.excessMasses(rho, p.state().x)*g_;
     }
     if (hasFluid())
     {
@@ -216,72 +177,6 @@ void Foam::deformableCloud::setSteadyForces
 }
 
 
-void Foam::deformableCloud::sampleLoads()
-{
-    if (loads_.empty())
-    {
-        return;
-    }
-    const timeBreakdown::timer t(timing_, "loads");
-    for (load& l : loads_)
-    {
-        l.sample(mesh_, ghosts_);
-    }
-}
-
-
-void Foam::deformableCloud::addLoad
-(
-    const load& l,
-    const clumpParcel& p,
-    const label index,
-    externalForces& ext
-) const
-{
-    if (l.actsOn(type(p)))
-    {
-        l.add
-        (
-            load::site
-            {
-                mesh_, type(p), p.state(), p.unwrappedCentres(), l.values(index)
-            },
-            ext
-        );
-    }
-}
-
-
-void Foam::deformableCloud::addLoads()
-{
-    if (loads_.empty())
-    {
-        return;
-    }
-    const timeBreakdown::timer t(timing_, "loads");
-
-    label index = 0;
-    for (clumpParcel& p : *this)
-    {
-        addLoads(p, index++, p.step().forces);
-    }
-}
-
-
-void Foam::deformableCloud::addLoads
-(
-    const clumpParcel& p,
-    const label index,
-    externalForces& ext
-) const
-{
-    for (const load& l : loads_)
-    {
-        addLoad(l, p, index, ext);
-    }
-}
-
-
 void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
 {
     clumpState& end = p.step().end;
@@ -293,10 +188,7 @@ void Foam::deformableCloud::advance(clumpParcel& p, const scalar dt)
     }
     if (type(p).hasSurface())
     {
-        membranes_[p.typeId()].advance
-        (
-            p, coupling_->viscosity(), dt, mesh_.time().deltaT0Value()
-        );
+        membranes_.advance(p, coupling_->viscosity());
         ++nSolves_;
         return;
     }

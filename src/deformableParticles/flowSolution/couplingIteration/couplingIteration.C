@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingIteration.H"
+#include "clumpDisplacement.H"
 #include "mathematicalConstants.H"
 #include "StringStream.H"
 
@@ -175,7 +176,7 @@ void Foam::couplingIteration::beginStep()
     {
         return;
     }
-    const volVectorField d(cloud_.displacement());
+    const volVectorField d(clumpDisplacement(cloud_));
     if (flow_.carriesPressure())
     {
         const timeBreakdown::timer t(cloud_.timing(), "flow");

@@ -3,11 +3,37 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "deformableCloud.H"
+#include "effectDecisions.H"
+#include "checkedEntries.H"
 
-void Foam::deformableCloud::refuseIdleEffects() const
+Foam::effectDecisions::effectDecisions
+(
+    const fvMesh& mesh,
+    const dictionary& clumpProperties,
+    const PtrList<clumpType>& types,
+    sceneEffects& effects,
+    const clumpContacts& contacts,
+    wallContacts& walls,
+    gapForces& gaps
+)
+:
+    mesh_(mesh),
+    dict_(clumpProperties),
+    types_(types),
+    effects_(effects),
+    contacts_(contacts),
+    walls_(walls),
+    gaps_(gaps)
+{}
+
+
+void Foam::effectDecisions::refuseIdle
+(
+    const vector& g,
+    const bool implicit
+) const
 {
-    effects_.require("gravity", mag(g_) > 0, "constant/g is absent or zero");
+    effects_.require("gravity", mag(g) > 0, "constant/g is absent or zero");
     effects_.require
     (
         "contact", contacts_.active(), "the type of contactModel is none"
@@ -33,7 +59,7 @@ void Foam::deformableCloud::refuseIdleEffects() const
     if
     (
         (contacts_.laws().frictional() || walls_.laws().frictional())
-     && !integrator_->implicit()
+     && !implicit
     )
     {
         FatalIOErrorInFunction(getDict(dict_, "integrator"))
@@ -43,7 +69,7 @@ void Foam::deformableCloud::refuseIdleEffects() const
     if
     (
         reason.empty() && !effects_.switchedOff("lubrication")
-     && !integrator_->implicit()
+     && !implicit
     )
     {
         FatalIOErrorInFunction(getDict(dict_, "lubrication"))
@@ -54,40 +80,51 @@ void Foam::deformableCloud::refuseIdleEffects() const
 }
 
 
-void Foam::deformableCloud::decideEffects()
+void Foam::effectDecisions::decide
+(
+    const Cloud<clumpParcel>& clumps,
+    const label nClumps,
+    const ghostExchange& ghosts,
+    const vector& g,
+    const scalar rho
+)
 {
-    decideGravity();
-    decideContact();
-    decideWalls();
+    decideGravity(g, rho);
+    decideContact(clumps, nClumps, ghosts);
+    decideWalls(clumps, ghosts);
     decideLubrication();
 }
 
 
-void Foam::deformableCloud::decideGravity()
+void Foam::effectDecisions::decideGravity(const vector& g, const scalar rho)
 {
     if (!effects_.automatic("gravity"))
     {
         return;
     }
-    const scalar rho = hasFluid() ? fluidDensity() : 0;
     scalar excess = 0;
     for (const clumpType& ct : types_)
     {
         excess = max(excess, mag(ct.mass() - rho*ct.volume())/ct.mass());
     }
-    const bool on = mag(g_) > 0 && excess > 1e-6;
+    const bool on = mag(g) > 0 && excess > 1e-6;
     effects_.decide
     (
         "gravity",
         on,
-        mag(g_) == 0 ? "constant/g is absent or zero"
+        mag(g) == 0 ? "constant/g is absent or zero"
       : on ? "the densities of clumps and fluid differ"
       : "the densities of clumps and fluid are equal"
     );
 }
 
 
-void Foam::deformableCloud::decideContact()
+void Foam::effectDecisions::decideContact
+(
+    const Cloud<clumpParcel>& clumps,
+    const label nClumps,
+    const ghostExchange& ghosts
+)
 {
     if (!effects_.automatic("contact"))
     {
@@ -97,12 +134,12 @@ void Foam::deformableCloud::decideContact()
     {
         effects_.decide("contact", false, "contactModel none");
     }
-    else if (nClumps() < 2 && !ghosts_.meetsItself())
+    else if (nClumps < 2 && !ghosts.meetsItself())
     {
         effects_.decide
         (
             "contact", false,
-            nClumps() ? "one clump in the domain" : "no clump in the domain"
+            nClumps ? "one clump in the domain" : "no clump in the domain"
         );
     }
     else
@@ -111,8 +148,8 @@ void Foam::deformableCloud::decideContact()
         (
             contacts_.near
             (
-                ghosts_.images(), ghosts_.nOwn(), mesh_.time().deltaTValue(),
-                gapRange()
+                ghosts.images(), ghosts.nOwn(), mesh_.time().deltaTValue(),
+                gapRange(clumps)
             ),
             orOp<bool>()
         );
@@ -124,13 +161,17 @@ void Foam::deformableCloud::decideContact()
 }
 
 
-void Foam::deformableCloud::decideWalls()
+void Foam::effectDecisions::decideWalls
+(
+    const Cloud<clumpParcel>& clumps,
+    const ghostExchange& ghosts
+)
 {
     if (!effects_.automatic("walls"))
     {
         if (effects_.active("walls"))
         {
-            walls_.update(ghosts_);
+            walls_.update(ghosts);
         }
         return;
     }
@@ -139,50 +180,55 @@ void Foam::deformableCloud::decideWalls()
         effects_.decide("walls", false, "wallContactModel none");
         return;
     }
-    walls_.update(ghosts_);
-    const scalar displacement = maxSpeed()*mesh_.time().deltaTValue();
-    if (walls_.gapMeasured(*this, displacement, gapRange()))
+    walls_.update(ghosts);
+    scalar speed = 0;
+    for (const clumpParcel& p : clumps)
+    {
+        speed = max(speed, max(mag(p.state().u)));
+    }
+    reduce(speed, maxOp<scalar>());
+    const scalar displacement = speed*mesh_.time().deltaTValue();
+    if (walls_.gapMeasured(clumps, displacement, gapRange(clumps)))
     {
         effects_.decide("walls", walls_.near(), walls_.gap());
     }
 }
 
 
-void Foam::deformableCloud::renewWalls()
+void Foam::effectDecisions::renewWalls(const ghostExchange& ghosts)
 {
     walls_.clear();
     if (effects_.active("walls"))
     {
-        walls_.update(ghosts_);
+        walls_.update(ghosts);
     }
 }
 
 
-Foam::string Foam::deformableCloud::lubricationIdle() const
+Foam::string Foam::effectDecisions::lubricationIdle() const
 {
-    const auto acts = [&](const bool model, const char* name)
-    {
-        return model && !effects_.switchedOff(name);
-    };
     return
         !gaps_.model()
       ? "there is no entry lubrication"
       : !effects_.active("feedback")
       ? "the flow does not feel the clumps"
-      : !acts(contacts_.active(), "contact") && !acts(walls_.active(), "walls")
+      : !clumpsMayTouch() && !wallsMayTouch()
       ? "contact is off"
       : "";
 }
 
 
-Foam::scalar Foam::deformableCloud::gapRange() const
+Foam::scalar Foam::effectDecisions::gapRange
+(
+    const Cloud<clumpParcel>& clumps
+) const
 {
     if (effects_.switchedOff("lubrication") || lubricationIdle().size())
     {
         return 0;
     }
     scalar width = 0;
-    for (const clumpParcel& p : *this)
+    for (const clumpParcel& p : clumps)
     {
         width = max(width, Foam::cbrt(mesh_.V()[p.cell()]));
     }
@@ -190,7 +236,7 @@ Foam::scalar Foam::deformableCloud::gapRange() const
 }
 
 
-void Foam::deformableCloud::decideLubrication()
+void Foam::effectDecisions::decideLubrication()
 {
     const bool contact = effects_.active("contact");
     const bool near = contact || effects_.active("walls");
@@ -205,4 +251,16 @@ void Foam::deformableCloud::decideLubrication()
       : string("nothing is near")
     );
     gaps_.setActive(effects_.active("lubrication"));
+}
+
+
+bool Foam::effectDecisions::clumpsMayTouch() const
+{
+    return contacts_.active() && !effects_.switchedOff("contact");
+}
+
+
+bool Foam::effectDecisions::wallsMayTouch() const
+{
+    return walls_.active() && !effects_.switchedOff("walls");
 }

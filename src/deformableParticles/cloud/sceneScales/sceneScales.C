@@ -3,8 +3,9 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "deformableCloud.H"
+#include "sceneScales.H"
 #include "anyNumber.H"
+#include "deformableCloud.H"
 #include "IOdictionary.H"
 #include "mathematicalConstants.H"
 
@@ -63,37 +64,6 @@ scalar viscosity(const dictionary& transport)
 }
 
 
-//- Second derivative of the energy of a membrane by the logarithmic strain of a pure shear
-//  across x, y or z, their mean over its volume [Pa]
-scalar stressOfShear(const membraneMechanics& membrane)
-{
-    const scalar stretch = 1.01;
-    const auto energy = [&](const direction d, const scalar lambda)
-    {
-        pointField x(membrane.stressFree());
-        for (point& p : x)
-        {
-            p[d] *= lambda;
-            p[(d + 1) % 3] /= lambda;
-        }
-        vectorField gradient(x.size(), Zero);
-        return membrane.add(x, gradient);
-    };
-
-    scalar sum = -6*energy(0, 1);
-    for (direction d = 0; d < 3; ++d)
-    {
-        sum += energy(d, stretch) + energy(d, 1/stretch);
-    }
-    return
-        sum
-       /(
-            3*sqr(Foam::log(stretch))
-           *membrane.surface().volume(membrane.stressFree())
-        );
-}
-
-
 //- Largest of the entries velocity [m/s] of clumps that are placed or injected
 scalar givenSpeed(const dictionary& clumpProperties)
 {
@@ -128,67 +98,25 @@ scalar givenSpeed(const dictionary& clumpProperties)
 }
 
 
-const Foam::PtrList<Foam::clumpType>& Foam::deformableCloud::readModels()
-{
-    effects_.decide(dict_, mesh_);
-    readTypes();
-    for (const word family : {"contactModel", "wallContactModel"})
-    {
-        if (!dict_.found(family))
-        {
-            string reason;
-            const scalar stress = contactStress(reason);
-            dictionary law;
-            law.set("type", "hertz");
-            law.set("allowedOverlap", 0.05);
-            law.set("stress", min(stress, largestEntry));
-            law.set("restitution", 0.5);
-            dict_.add(family, law);
-            Info<< family << ": hertz, with an overlap of 5 % of a radius under "
-                << stress << " Pa, " << reason.c_str() << endl;
-        }
-    }
-    if
-    (
-        membraneContacts_.needsStress() && surfaceImmersion::wanted(types_)
-     && effects_.active("fluid")
-    )
-    {
-        string reason;
-        scalar stress = contactStress(reason);
-        scalar ofShear = 0;
-        forAll(types_, i)
-        {
-            if (types_[i].hasSurface())
-            {
-                ofShear = max(ofShear, stressOfShear(membranes_[i].mechanics()));
-            }
-        }
-
-        // Stiffer contacts would be of no use: the membranes deform instead
-        if (ofShear > 0 && ofShear < stress)
-        {
-            stress = ofShear;
-            reason = "that of the stiffest membrane in shear";
-        }
-        membraneContacts_.setStress(min(stress, largestEntry));
-        Info<< "membraneContact: " << stress << " Pa where surfaces touch, "
-            << reason.c_str() << endl;
-    }
-    return types_;
-}
-
-
-Foam::scalar Foam::deformableCloud::contactStress(string& reason) const
+Foam::scalar Foam::contactStress
+(
+    const fvMesh& mesh,
+    const dictionary& clumpProperties,
+    const sceneEffects& effects,
+    const vector& g,
+    const PtrList<clumpType>& types,
+    const PtrList<clumpBonds>& bonds,
+    string& reason
+)
 {
     scalar density = 0;
     scalar width = GREAT;
     scalar ofElasticity = 0;
-    forAll(types_, i)
+    forAll(types, i)
     {
-        density = max(density, types_[i].mass()/types_[i].volume());
-        width = min(width, 2*types_[i].reach());
-        for (const clumpBonds::bond& b : bonds_[i].bonds())
+        density = max(density, types[i].mass()/types[i].volume());
+        width = min(width, 2*types[i].reach());
+        for (const clumpBonds::bond& b : bonds[i].bonds())
         {
             ofElasticity = max
             (
@@ -208,11 +136,11 @@ Foam::scalar Foam::deformableCloud::contactStress(string& reason) const
             reason = name;
         }
     };
-    if (effects_.active("fluid"))
+    if (effects.active("fluid"))
     {
-        const IOdictionary transport(transportProperties(mesh_));
+        const IOdictionary transport(transportProperties(mesh));
         const dictionary& ofDensity =
-            transport.found("rho") ? static_cast<const dictionary&>(transport) : dict_;
+            transport.found("rho") ? static_cast<const dictionary&>(transport) : clumpProperties;
         if (!ofDensity.found("rho"))
         {
             // It is asked for below
@@ -226,17 +154,17 @@ Foam::scalar Foam::deformableCloud::contactStress(string& reason) const
     }
     consider
     (
-        density*(cmptMag(g_) & mesh_.bounds().span()),
+        density*(cmptMag(g) & mesh.bounds().span()),
         "the weight of a pile as high as the mesh"
     );
-    consider(density*sqr(givenSpeed(dict_)), "that of an impact");
+    consider(density*sqr(givenSpeed(clumpProperties)), "that of an impact");
     if (stress == 0)
     {
         consider(ofElasticity, "four times the stiffness of the bonds");
     }
     if (stress == 0)
     {
-        FatalIOErrorInFunction(dict_)
+        FatalIOErrorInFunction(clumpProperties)
             << "There is no contact model, and neither a viscosity, gravity, a velocity"
             << " of clumps nor bonds tell how stiff contacts should be. Give the stress"
             << " [Pa] under which spheres may overlap by 5 % of a radius," << nl
@@ -248,12 +176,42 @@ Foam::scalar Foam::deformableCloud::contactStress(string& reason) const
 }
 
 
-void Foam::deformableCloud::reportScales() const
+Foam::scalar Foam::stressOfShear(const membraneMechanics& membrane)
 {
+    const scalar stretch = 1.01;
+    const auto energy = [&](const direction d, const scalar lambda)
+    {
+        pointField x(membrane.stressFree());
+        for (point& p : x)
+        {
+            p[d] *= lambda;
+            p[(d + 1) % 3] /= lambda;
+        }
+        vectorField gradient(x.size(), Zero);
+        return membrane.add(x, gradient);
+    };
+
+    scalar sum = -6*energy(0, 1);
+    for (direction d = 0; d < 3; ++d)
+    {
+        sum += energy(d, stretch) + energy(d, 1/stretch);
+    }
+    return
+        sum
+       /(
+            3*sqr(Foam::log(stretch))
+           *membrane.surface().volume(membrane.stressFree())
+        );
+}
+
+
+void Foam::reportScales(const deformableCloud& cloud)
+{
+    const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
     scalar least = GREAT;
     scalar most = 0;
     Pair<scalar> densities(GREAT, 0);
-    for (const clumpType& ct : types_)
+    for (const clumpType& ct : cloud.types())
     {
         least = min(least, 2*ct.reach());
         most = max(most, 2*ct.reach());
@@ -273,30 +231,30 @@ void Foam::deformableCloud::reportScales() const
         }
         return os.str();
     };
-    const scalarField& V = mesh_.V();
+    const scalarField& V = mesh.V();
     OStringStream os;
     os.precision(4);
-    os  << "Lengths: mesh " << mesh_.bounds().span() << " m, mesh cells "
+    os  << "Lengths: mesh " << mesh.bounds().span() << " m, mesh cells "
         << range(Foam::cbrt(gMin(V)), Foam::cbrt(gMax(V))).c_str() << " m, clumps "
         << range(least, most).c_str() << " m";
     Info<< os.str().c_str() << endl;
 
-    if (!hasFluid())
+    if (!cloud.hasFluid())
     {
         return;
     }
-    const scalar rho = fluidDensity();
+    const scalar rho = cloud.fluidDensity();
     Info<< "Densities: clumps "
         << range(densities.first(), densities.second()).c_str() << " kg/m3, fluid "
         << rho << " kg/m3; viscosity of the fluid "
-        << rho*viscosity(transportProperties(mesh_)) << " Pa s" << endl;
+        << rho*viscosity(transportProperties(mesh)) << " Pa s" << endl;
     if
     (
         densities.first() < leastDensityRatio*rho
      || densities.second() > largestDensityRatio*rho
     )
     {
-        IOWarningInFunction(getDict(dict_, "types"))
+        IOWarningInFunction(getDict(cloud.properties(), "types"))
             << "The densities of clumps and fluid differ by a factor of "
             << max(densities.second()/rho, rho/densities.first())
             << ". Is one of them in another unit? All units are SI: kg/m3." << endl;

@@ -3,6 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
+#include "clumpDisplacement.H"
 #include "deformableCloud.H"
 #include "foamCompat.H"
 #include "nearestCentres.H"
@@ -24,20 +25,26 @@ scalar fading(const scalar part)
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
+Foam::tmp<Foam::volVectorField> Foam::clumpDisplacement
+(
+    const deformableCloud& cloud
+)
 {
-    const scalar half = 0.5*mesh_.time().deltaTValue();
-    pointField from(size());
-    vectorField by(size());
-    const scalar reach = 3*largestDiameter();
+    const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
+    const ghostExchange& ghosts = cloud.ghosts();
+    const scalar half = 0.5*mesh.time().deltaTValue();
+    pointField from(cloud.size());
+    vectorField by(cloud.size());
+    const scalar reach = 3*cloud.largestDiameter();
     label index = 0;
-    for (const clumpParcel& p : *this)
+    for (const clumpParcel& p : cloud)
     {
         // Membranes are met at the end of a step
-        from[index] = p.centre(type(p)) - p.sinceMet();
+        const clumpType& type = cloud.type(p);
+        from[index] = p.centre(type) - p.sinceMet();
         by[index] =
             p.sinceMet()
-          + (type(p).hasSurface() ? 2 : 1)*half*velocityOverMesh(p);
+          + (type.hasSurface() ? 2 : 1)*half*cloud.velocityOverMesh(p);
         ++index;
     }
 
@@ -49,10 +56,10 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
         DynamicList<vector>& ofImages
     )
     {
-        const boundBox box(grown(ghosts_.box(to.proci), reach));
+        const boundBox box(grown(ghosts.box(to.proci), reach));
         for (const label s : to.shifts)
         {
-            const vector& shift = ghosts_.shifts()[s];
+            const vector& shift = ghosts.shifts()[s];
             forAll(from, k)
             {
                 if (box.contains(from[k] + shift))
@@ -64,7 +71,7 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
         }
     };
 
-    const UList<ghostExchange::partner>& partners = ghosts_.partners(reach);
+    const UList<ghostExchange::partner>& partners = ghosts.partners(reach);
     for (const ghostExchange::partner& to : partners)
     {
         if (to.proci != Pstream::myProcNo())
@@ -95,13 +102,13 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
 
     auto result = tmp<volVectorField>::New
     (
-        IOobject("displacement", mesh_.time().timeName(), mesh_),
-        mesh_,
+        IOobject("displacement", mesh.time().timeName(), mesh),
+        mesh,
         dimensionedVector(dimLength, Zero)
     );
     const labelList nearest
     (
-        nearestCentres(mesh_.cellCentres(), images, reach)
+        nearestCentres(mesh.cellCentres(), images, reach)
     );
     forAll(nearest, celli)
     {
@@ -109,7 +116,7 @@ Foam::tmp<Foam::volVectorField> Foam::deformableCloud::displacement() const
         {
             const label k = nearest[celli];
             result.ref()[celli] =
-                fading(mag(mesh_.cellCentres()[celli] - images[k])/reach)
+                fading(mag(mesh.cellCentres()[celli] - images[k])/reach)
                *ofImages[k];
         }
     }

@@ -1,0 +1,204 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "cloudMembranes.H"
+#include "sceneScales.H"
+
+Foam::cloudMembranes::cloudMembranes
+(
+    const fvMesh& mesh,
+    const PtrList<clumpType>& types,
+    const dictionary& clumpProperties
+)
+:
+    mesh_(mesh),
+    types_(types),
+    contacts_(types, clumpProperties)
+{}
+
+
+void Foam::cloudMembranes::read(const label typei, const dictionary& dict)
+{
+    steps_.setSize(types_.size());
+    if (types_[typei].hasSurface())
+    {
+        steps_.set(typei, new membraneStep(types_[typei], dict, contacts_));
+    }
+}
+
+
+void Foam::cloudMembranes::setContactStress(scalar stress, string reason)
+{
+    scalar ofShear = 0;
+    forAll(types_, i)
+    {
+        if (types_[i].hasSurface())
+        {
+            ofShear = max(ofShear, stressOfShear(mechanics(i)));
+        }
+    }
+
+    // Stiffer contacts would be of no use: the membranes deform instead
+    if (ofShear > 0 && ofShear < stress)
+    {
+        stress = ofShear;
+        reason = "that of the stiffest membrane in shear";
+    }
+    contacts_.setStress(min(stress, largestEntry));
+    Info<< "membraneContact: " << stress << " Pa where surfaces touch, "
+        << reason.c_str() << endl;
+}
+
+
+void Foam::cloudMembranes::beginContacts
+(
+    const Cloud<clumpParcel>& clumps,
+    const ghostExchange& ghosts,
+    const vector& meshVelocity
+)
+{
+    scalar width = GREAT;
+    for (const clumpParcel& p : clumps)
+    {
+        if (isOne(p))
+        {
+            width = min(width, Foam::cbrt(mesh_.V()[p.cell()]));
+        }
+    }
+    contacts_.begin
+    (
+        ghosts,
+        returnReduce(width, minOp<scalar>()),
+        mesh_.time().deltaTValue(),
+        meshVelocity
+    );
+}
+
+
+void Foam::cloudMembranes::immerse
+(
+    Cloud<clumpParcel>& clumps,
+    ghostExchange& ghosts,
+    surfaceImmersion& surfaces
+) const
+{
+    surfaces.update(ghosts);
+    label index = 0;
+    for (clumpParcel& p : clumps)
+    {
+        const clumpImage& image = ghosts.images()[index++];
+        if (isOne(p))
+        {
+            steps_[p.typeId()].meet(p, image.x);
+            nodeFlow& nodes = p.step().nodes;
+            nodes.smoothing = surfaces.smoothing(image, nodes.areaVectors);
+        }
+    }
+}
+
+
+void Foam::cloudMembranes::impose
+(
+    Cloud<clumpParcel>& clumps,
+    ghostExchange& ghosts,
+    surfaceImmersion& surfaces,
+    const bool clumpsTouch,
+    const wallSurface* walls
+)
+{
+    contacts_.find(ghosts, clumps, clumpsTouch, walls);
+    label index = 0;
+    for (clumpParcel& p : clumps)
+    {
+        clumpImage& image = ghosts.images()[index++];
+        if (isOne(p))
+        {
+            steps_[p.typeId()].impose
+            (
+                p, mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
+            );
+            image.force = p.step().nodes.force;
+        }
+    }
+    surfaces.spread(ghosts);
+}
+
+
+void Foam::cloudMembranes::sample
+(
+    const volVectorField& U,
+    Cloud<clumpParcel>& clumps,
+    ghostExchange& ghosts,
+    surfaceImmersion& surfaces,
+    const scalar mu
+) const
+{
+    surfaces.sample(U, ghosts);
+    label index = 0;
+    for (clumpParcel& p : clumps)
+    {
+        const clumpImage& image = ghosts.images()[index++];
+        if (isOne(p))
+        {
+            nodeFlow& nodes = p.step().nodes;
+            nodes.u = nodes.withoutFlux(image.sampled);
+        }
+    }
+    if (mu > 0)
+    {
+        sharpen(U, clumps, ghosts, surfaces, mu);
+    }
+}
+
+
+void Foam::cloudMembranes::sharpen
+(
+    const volVectorField& U,
+    Cloud<clumpParcel>& clumps,
+    ghostExchange& ghosts,
+    const surfaceImmersion& surfaces,
+    const scalar mu
+) const
+{
+    const bool other = surfaces.interior();
+    if (other)
+    {
+        surfaces.sampleShear(U, ghosts);
+    }
+    label index = 0;
+    for (clumpParcel& p : clumps)
+    {
+        const clumpImage& image = ghosts.images()[index++];
+        if (!isOne(p))
+        {
+            continue;
+        }
+        nodeFlow& nodes = p.step().nodes;
+        const clumpType& type = types_[p.typeId()];
+        const scalar ratio = type.viscosityRatio();
+        const vectorField n(nodes.areaVectors/mag(nodes.areaVectors));
+        vectorField kink(n.size(), Zero);
+        if (other)
+        {
+            // The part of the force follows in membraneStep
+            kink = (1 - 1/ratio)*(image.sampled - n*(n & image.sampled));
+            nodes.u -= 0.5*nodes.smoothing*kink;
+        }
+        const vectorField& F = nodes.force;
+        kink -= 0.5*(1 + 1/ratio)/mu*(F - n*(n & F))/nodes.areas;
+        nodes.u +=
+            ratio/(3 + 2*ratio)*surfaces.variances(image, nodes.areaVectors)
+           *type.surface().divergence(image.x, kink)*n;
+    }
+}
+
+
+void Foam::cloudMembranes::advance(clumpParcel& p, const scalar mu) const
+{
+    steps_[p.typeId()].advance
+    (
+        p, mu, mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
+    );
+}

@@ -1,0 +1,160 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpStart.H"
+#include "clumpFields.H"
+#include "deformableCloud.H"
+#include "foamCompat.H"
+#include "IOdictionary.H"
+#include "placement.H"
+#include "surfaceCrossing.H"
+
+bool Foam::clumpStart::begin
+(
+    deformableCloud& cloud,
+    const HashTable<label>& typeIds,
+    clumpCount& count
+)
+{
+    const bool restarts = returnReduce(cloud.size(), sumOp<label>()) > 0;
+    if (restarts)
+    {
+        count.check(cloud.size(), Foam::cloud::prefix/cloud.name());
+        restart(cloud);
+    }
+    else if (count.emptied())
+    {
+        Info<< "No clumps at time " << cloud.pMesh().time().timeName() << ": "
+            << (count.left() ? "all have left the domain" : "none were placed")
+            << ". The entry placement is not used; setClumps places clumps at this"
+            << " time" << endl;
+    }
+    else
+    {
+        place(cloud, typeIds, count);
+    }
+    count.start(cloud.size());
+    reportFractions(cloud);
+    return restarts;
+}
+
+
+void Foam::clumpStart::restart(deformableCloud& cloud)
+{
+    const Time& time = cloud.pMesh().time();
+    const dictionary& dict = cloud.properties();
+    clumpFields::read
+    (
+        cloud, cloud.types(), writtenTypes(cloud.name(), time, cloud.types(), dict)
+    );
+    Info<< "Read " << returnReduce(cloud.size(), sumOp<label>())
+        << " clumps from time " << time.timeName()
+        << (dict.found("placement") ? "; the entry placement is not used" : "")
+        << endl;
+
+    // Written by setClumps, not by a run: at rest unless they were given a velocity
+    const IOdictionary ofRun
+    (
+        IOobject
+        (
+            "time", time.timeName(), "uniform", time,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    starts_ = ofRun.empty();
+    if (starts_)
+    {
+        for (const clumpParcel& p : cloud)
+        {
+            if (max(mag(p.state().u)) == 0)
+            {
+                followFlow_.insert(p.origId());
+            }
+        }
+    }
+}
+
+
+void Foam::clumpStart::place
+(
+    deformableCloud& cloud,
+    const HashTable<label>& typeIds,
+    const clumpCount& count
+)
+{
+    starts_ = true;
+    clumpFields::refuseRemains(cloud);
+    count.check(cloud.size(), Foam::cloud::prefix/cloud.name());
+    const dictionary& properties = cloud.properties();
+    if (!properties.found("placement") && properties.found("injection"))
+    {
+        return;
+    }
+
+    const dictionary& dict = getDict(properties, "placement");
+    selectModel<placement>(dict, cloud.types(), typeIds)->place
+    (
+        refCast<const fvMesh>(cloud.pMesh()), cloud, followFlow_
+    );
+
+    Info<< "Placed " << returnReduce(cloud.size(), sumOp<label>()) << " clumps" << endl;
+}
+
+
+void Foam::clumpStart::refuseOutside
+(
+    const fvMesh& mesh,
+    const PtrList<clumpType>& types,
+    const ghostExchange& ghosts,
+    const dictionary& placement
+)
+{
+    const surfaceCrossing crossing(mesh, types, ghosts, 0.01);
+    if (crossing.outside())
+    {
+        FatalIOErrorInFunction(placement)
+            << "Entry 'position': " << crossing.description().c_str()
+            << exit(FatalIOError);
+    }
+    if (crossing.nClumps())
+    {
+        IOWarningInFunction(placement)
+            << crossing.nClumps() << " clumps start across a wall or an open"
+            << " patch; " << crossing.description().c_str() << endl;
+    }
+}
+
+
+void Foam::clumpStart::reportFractions(const deformableCloud& cloud)
+{
+    const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
+    const PtrList<clumpType>& types = cloud.types();
+    labelList numbers(types.size(), 0);
+    for (const clumpParcel& p : cloud)
+    {
+        ++numbers[p.typeId()];
+    }
+    reduceList(numbers, plusEqOp<label>());
+    if (!sum(numbers))
+    {
+        return;
+    }
+
+    const scalar volume = gSum(mesh.V());
+    const Pair<scalar> fractions(placement::fractions(types, numbers, volume));
+    bool someFixed = false;
+    forAll(types, i)
+    {
+        someFixed = someFixed || types[i].fixed();
+        labelList own(types.size(), 0);
+        own[i] = numbers[i];
+        const scalar share = placement::fractions(types, own, volume).first();
+        Info<< "    " << types[i].name() << ": " << numbers[i]
+            << " clumps, haematocrit " << Foam::name(share).c_str() << nl;
+    }
+    Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
+        << ", volume fraction of the clumps " << (someFixed ? "that move " : "")
+        << Foam::name(fractions.second()).c_str() << endl;
+}

@@ -8,9 +8,12 @@
 namespace
 {
 
-inline Eigen::Matrix3d toEigen(const Foam::tensor& t)
+using namespace Foam;
+using Eigen::Matrix3d;
+
+inline Matrix3d toEigen(const tensor& t)
 {
-    Eigen::Matrix3d m;
+    Matrix3d m;
     m << t.xx(), t.xy(), t.xz(),
          t.yx(), t.yy(), t.yz(),
          t.zx(), t.zy(), t.zz();
@@ -18,16 +21,16 @@ inline Eigen::Matrix3d toEigen(const Foam::tensor& t)
 }
 
 
-inline Eigen::Vector3d toEigen(const Foam::vector& v)
+inline Eigen::Vector3d toEigen(const vector& v)
 {
     return Eigen::Vector3d(v.x(), v.y(), v.z());
 }
 
 
 //- The matrix of v x
-inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v)
+inline Matrix3d crossMatrix(const Eigen::Vector3d& v)
 {
-    Eigen::Matrix3d m;
+    Matrix3d m;
     m << 0, -v.z(), v.y(),
          v.z(), 0, -v.x(),
          -v.y(), v.x(), 0;
@@ -36,37 +39,39 @@ inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v)
 
 
 //- along*e e + across*(I - e e)
-inline Eigen::Matrix3d transverse
+inline Matrix3d transverse
 (
-    const Foam::scalar along,
-    const Foam::scalar across,
-    const Foam::vector& e
+    const scalar along,
+    const scalar across,
+    const vector& e
 )
 {
     const Eigen::Vector3d v(toEigen(e));
-    return across*Eigen::Matrix3d::Identity()
+    return across*Matrix3d::Identity()
       + (along - across)*v*v.transpose();
 }
 
-}
 
+//- Second variation of the energy in the frame of the bond with respect to u (relative
+//  displacement), s (mean rotation) and p (relative rotation): gamma changes by
+//  u + d x (s + C p), psi by H p. Each matrix is named after the pair of variables that
+//  it couples
+struct variation
+{
+    Matrix3d uu, us, up, ss, sp, pp;
+};
 
-void Foam::bondTangent::add
+variation secondVariation
 (
-    const List<clumpBonds::bond>& bonds,
-    const label bi,
+    const clumpBonds::bond& b,
     const bondFrame& frame,
     const bondResponse& r,
-    const stepDamping& damping,
-    const bool geometric,
-    clumpTangent& K
+    const stepDamping::tangent& damped,
+    const vector& dampedDirection,
+    const bool geometric
 )
 {
-    using Eigen::Matrix3d;
-
-    const clumpBonds::bond& b = bonds[bi];
     const bondCoefficients& k = b.stiffness;
-    const stepDamping::tangent damped(damping.derivative(bi, frame));
     const bondCoefficients& c = damped.c;
     const Eigen::Vector3d dv(toEigen(frame.d()));
     const Matrix3d C(toEigen(frame.C()));
@@ -75,16 +80,11 @@ void Foam::bondTangent::add
     Matrix3d D
     (
         transverse(r.kAlong, geometric ? r.kAcross : max(r.kAcross, 0), r.t)
-      + transverse(c.normal, c.tangential, damping.direction(bi))
+      + transverse(c.normal, c.tangential, dampedDirection)
     );
     Matrix3d S
     (
-        transverse
-        (
-            k.torsional + c.torsional,
-            k.bending + c.bending,
-            b.direction
-        )
+        transverse(k.torsional + c.torsional, k.bending + c.bending, b.direction)
     );
 
     // Damping that falls with the rate couples the strains: gamma.N psi
@@ -99,10 +99,6 @@ void Foam::bondTangent::add
         N = damped.slope*n*m.transpose();
     }
 
-    // Second variation of the energy in the frame of the bond with respect to u
-    // (relative displacement), s (mean rotation) and p (relative rotation):
-    // gamma changes by u + d x (s + C p), psi by H p. Each matrix is named after
-    // the pair of variables that it couples.
     Matrix3d us(D*d);
     Matrix3d ss(-d*us);
 
@@ -140,6 +136,33 @@ void Foam::bondTangent::add
         sp += sNH;
         pp += twist + twist.transpose();
     }
+    return {D, us, up, ss, sp, pp};
+}
+
+}
+
+
+
+void Foam::bondTangent::add
+(
+    const List<clumpBonds::bond>& bonds,
+    const label bi,
+    const bondFrame& frame,
+    const bondResponse& r,
+    const stepDamping& damping,
+    const bool geometric,
+    clumpTangent& K
+)
+{
+    const clumpBonds::bond& b = bonds[bi];
+    const variation v
+    (
+        secondVariation
+        (
+            b, frame, r, damping.derivative(bi, frame), damping.direction(bi),
+            geometric
+        )
+    );
 
     // Rotations of the spheres: s is their mean, p their difference
     const Matrix3d R(toEigen(frame.R()));
@@ -149,12 +172,12 @@ void Foam::bondTangent::add
         return R*m*RT;
     };
 
-    const Matrix3d uu(turn(D));
-    const Matrix3d ui(turn(0.5*us - up));
-    const Matrix3d uj(turn(0.5*us + up));
-    const Matrix3d even(0.25*ss + pp);
-    const Matrix3d odd(0.5*(sp + sp.transpose()));
-    const Matrix3d skew(0.5*(sp - sp.transpose()));
+    const Matrix3d uu(turn(v.uu));
+    const Matrix3d ui(turn(0.5*v.us - v.up));
+    const Matrix3d uj(turn(0.5*v.us + v.up));
+    const Matrix3d even(0.25*v.ss + v.pp);
+    const Matrix3d odd(0.5*(v.sp + v.sp.transpose()));
+    const Matrix3d skew(0.5*(v.sp - v.sp.transpose()));
 
     clumpTangent::block B;
 
@@ -164,6 +187,6 @@ void Foam::bondTangent::add
     B << uu, uj, uj.transpose(), turn(even + odd);
     K.diagonal(b.j) += B;
 
-    B << -uu, -uj, ui.transpose(), turn(0.25*ss - pp + skew);
+    B << -uu, -uj, ui.transpose(), turn(0.25*v.ss - v.pp + skew);
     K.addCoupling(bi, b.i, b.j, B);
 }

@@ -94,15 +94,7 @@ Foam::deformableCloud::deformableCloud
     );
     injector_->begin(*this);
 
-    if (!openPatches_.empty())
-    {
-        Info<< "Clumps may leave through:";
-        for (const word& patch : openPatches_.names())
-        {
-            Info<< ' ' << patch;
-        }
-        Info<< endl;
-    }
+    openPatches_.report();
     updateGhosts();
     if (!restarts && nClumps())
     {

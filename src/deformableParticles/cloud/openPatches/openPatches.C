@@ -63,14 +63,17 @@ bool Foam::openPatches::isOpen(const polyPatch& patch)
 }
 
 
-Foam::wordList Foam::openPatches::names() const
+void Foam::openPatches::report() const
 {
-    wordList result;
-    for (const label patchi : patches_)
+    if (!empty())
     {
-        result.append(mesh_.boundaryMesh()[patchi].name());
+        Info<< "Clumps may leave through:";
+        for (const label patchi : patches_)
+        {
+            Info<< ' ' << mesh_.boundaryMesh()[patchi].name();
+        }
+        Info<< endl;
     }
-    return result;
 }
 
 

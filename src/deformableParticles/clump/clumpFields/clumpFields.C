@@ -228,27 +228,13 @@ void Foam::clumpFields::refuseRemains(const Cloud<clumpParcel>& c)
 }
 
 
-void Foam::clumpFields::read
+void Foam::clumpFields::readTypes
 (
     Cloud<clumpParcel>& c,
     const PtrList<clumpType>& types,
     const writtenTypes& written
 )
 {
-    // What is too large for the machine becomes infinite, and is refused here
-    const anyNumber overflow;
-
-    // Before OpenFOAM reads and takes them as they are
-    label i = 0;
-    for (const clumpParcel& p : c)
-    {
-        checkPlace(c, i++, p);
-    }
-    readValues<label>(c, "origProcId");
-    readValues<label>(c, "origId");
-
-    particle::readFields(c);
-
     // At rest first: the lists of a type have their lengths
     const labelList typeIds
     (
@@ -256,7 +242,7 @@ void Foam::clumpFields::read
     );
     const scalarField factors(readValues<scalar>(c, "couplingFactor"));
     const labelField overshoots(readValues<label>(c, "couplingOvershoots"));
-    i = 0;
+    label i = 0;
     for (clumpParcel& p : c)
     {
         p.typeId_ = typeIds[i];
@@ -281,7 +267,68 @@ void Foam::clumpFields::read
         p.fluidForces_ = vectorField(p.state_.x.size(), Zero);
         p.fluidTorques_ = p.fluidForces_;
     }
+}
 
+
+void Foam::clumpFields::readOrientations(Cloud<clumpParcel>& c)
+{
+    // Four numbers a sphere
+    List<scalarField> quaternions(c.size());
+    label i = 0;
+    for (const clumpParcel& p : c)
+    {
+        quaternions[i++].setSize(4*p.state_.q.size());
+    }
+    i = 0;
+    readLists<scalar>
+    (
+        c, "orientations",
+        [&](clumpParcel&) -> scalarField& { return quaternions[i++]; }
+    );
+    i = 0;
+    for (clumpParcel& p : c)
+    {
+        const scalarField& f = quaternions[i++];
+        forAll(p.state_.q, k)
+        {
+            p.state_.q[k] = quaternion
+            (
+                f[4*k], vector(f[4*k + 1], f[4*k + 2], f[4*k + 3])
+            );
+            if (mag(mag(p.state_.q[k]) - 1) > 1e-3)
+            {
+                refuse
+                (
+                    c, "orientations", p, "has one that is no rotation"
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::clumpFields::read
+(
+    Cloud<clumpParcel>& c,
+    const PtrList<clumpType>& types,
+    const writtenTypes& written
+)
+{
+    // What is too large for the machine becomes infinite, and is refused here
+    const anyNumber overflow;
+
+    // Before OpenFOAM reads and takes them as they are
+    label i = 0;
+    for (const clumpParcel& p : c)
+    {
+        checkPlace(c, i++, p);
+    }
+    readValues<label>(c, "origProcId");
+    readValues<label>(c, "origId");
+
+    particle::readFields(c);
+
+    readTypes(c, types, written);
     for (const vectorFile& file : vectorFiles_)
     {
         const vectorField values(readValues<vector>(c, file.name));
@@ -328,51 +375,17 @@ void Foam::clumpFields::read
         true
     );
 
-    // Four numbers a sphere
-    List<scalarField> quaternions(c.size());
-    i = 0;
-    for (const clumpParcel& p : c)
-    {
-        quaternions[i++].setSize(4*p.state_.q.size());
-    }
-    i = 0;
-    readLists<scalar>
-    (
-        c, "orientations",
-        [&](clumpParcel&) -> scalarField& { return quaternions[i++]; }
-    );
-    i = 0;
-    for (clumpParcel& p : c)
-    {
-        const scalarField& f = quaternions[i++];
-        forAll(p.state_.q, k)
-        {
-            p.state_.q[k] = quaternion
-            (
-                f[4*k], vector(f[4*k + 1], f[4*k + 2], f[4*k + 3])
-            );
-            if (mag(mag(p.state_.q[k]) - 1) > 1e-3)
-            {
-                refuse
-                (
-                    c, "orientations", p, "has one that is no rotation"
-                );
-            }
-        }
-    }
-
+    readOrientations(c);
     checkNumbers(c);
 }
 
 
-void Foam::clumpFields::write
+void Foam::clumpFields::writeTypes
 (
     const Cloud<clumpParcel>& c,
     const PtrList<clumpType>& types
 )
 {
-    particle::writeFields(c);
-
     const bool valid = c.size() > 0;
 
     IOField<label> typeIds
@@ -402,14 +415,27 @@ void Foam::clumpFields::write
     writeFile(U, valid);
     writeFile(factors, valid);
     writeFile(overshoots, valid);
+}
 
+
+void Foam::clumpFields::write
+(
+    const Cloud<clumpParcel>& c,
+    const PtrList<clumpType>& types
+)
+{
+    particle::writeFields(c);
+
+    writeTypes(c, types);
+
+    const bool valid = c.size() > 0;
     for (const vectorFile& file : vectorFiles_)
     {
         IOField<vector> values
         (
             fieldObject(c, file.name, IOobject::NO_READ), c.size()
         );
-        i = 0;
+        label i = 0;
         for (const clumpParcel& p : c)
         {
             values[i++] = p.*(file.member);

@@ -124,13 +124,16 @@ bool Foam::ghostExchange::meetsItself() const
 }
 
 
-void Foam::ghostExchange::findShifts()
+namespace
 {
-    // Separation of every pair of cyclic patches, known on the processors
-    // that have faces of it
-    HashTable<vector> separations;
 
-    for (const polyPatch& pp : mesh_.boundaryMesh())
+using namespace Foam;
+
+//- Separation of every pair of cyclic patches of which this processor has faces
+HashTable<vector> separationsOf(const polyBoundaryMesh& patches)
+{
+    HashTable<vector> separations;
+    for (const polyPatch& pp : patches)
     {
         if (!isA<coupledPolyPatch>(pp) || pp.empty())
         {
@@ -167,7 +170,15 @@ void Foam::ghostExchange::findShifts()
             separations.insert(name, s);
         }
     }
+    return separations;
+}
 
+}
+
+
+void Foam::ghostExchange::findShifts()
+{
+    HashTable<vector> separations(separationsOf(mesh_.boundaryMesh()));
     const auto keepOne = [](const vector& a, const vector&) { return a; };
     reduceMap
     (

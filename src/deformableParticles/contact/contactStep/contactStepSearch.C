@@ -236,6 +236,48 @@ void Foam::contactStep::setImages(const bool betweenClumps)
 }
 
 
+void Foam::contactStep::addPair
+(
+    const label a,
+    const label i,
+    const label b,
+    const label j
+)
+{
+    const clumpImage& A = ghosts_.images()[a];
+    const clumpImage& B = ghosts_.images()[b];
+    const scalar rA = types_[A.typeId].radii()[i];
+    const scalarField& rB = types_[B.typeId].radii();
+    const vector x(A.x[i] - B.x[j]);
+    const vector dx(span_*(A.u[i] - B.u[j]));
+    const scalar r = rA + rB[j];
+    if (leastDistance(x, dx) >= r + range_ + 2*slack_)
+    {
+        return;
+    }
+    touch t = touch();
+    t.touches = true;
+    t.reaches = range_ > 0;
+    t.law = &contacts_.laws()(A.typeId, B.typeId);
+    t.a = a;
+    t.i = i;
+    t.b = b;
+    t.j = j;
+    t.radii = r;
+    t.d = r - mag(x);
+    t.first = t.d;
+    t.n = mag(x) > SMALL*r ? vector(x/mag(x)) : vector::zero;
+    t.R = contactModel::reduced(rA, rB[j]);
+    t.gapR = t.R;
+    t.m = contactModel::reduced
+    (
+        massAt(a, i),
+        contactShares::mass(j, B.x, rB, types_[B.typeId].masses())
+    );
+    touches_.append(t);
+}
+
+
 void Foam::contactStep::findPairs()
 {
     const UList<clumpImage>& images = ghosts_.images();
@@ -272,42 +314,13 @@ void Foam::contactStep::findPairs()
             {
                 return;
             }
-            const scalarField& rA = types_[A.typeId].radii();
-            const scalarField& rB = types_[B.typeId].radii();
-
             reaching(A, B.box, ofA);
             reaching(B, A.box, ofB);
             for (const label i : ofA)
             {
                 for (const label j : ofB)
                 {
-                    const vector x(A.x[i] - B.x[j]);
-                    const vector dx(span_*(A.u[i] - B.u[j]));
-                    const scalar r = rA[i] + rB[j];
-                    if (leastDistance(x, dx) >= r + range_ + 2*slack_)
-                    {
-                        continue;
-                    }
-                    const scalarField& mB = types_[B.typeId].masses();
-                    touch t = touch();
-                    t.touches = true;
-                    t.reaches = range_ > 0;
-                    t.law = &contacts_.laws()(A.typeId, B.typeId);
-                    t.a = a;
-                    t.i = i;
-                    t.b = b;
-                    t.j = j;
-                    t.radii = r;
-                    t.d = r - mag(x);
-                    t.first = t.d;
-                    t.n = mag(x) > SMALL*r ? vector(x/mag(x)) : vector::zero;
-                    t.R = contactModel::reduced(rA[i], rB[j]);
-                    t.gapR = t.R;
-                    t.m = contactModel::reduced
-                    (
-                        massAt(a, i), contactShares::mass(j, B.x, rB, mB)
-                    );
-                    touches_.append(t);
+                    addPair(a, i, b, j);
                 }
             }
         }

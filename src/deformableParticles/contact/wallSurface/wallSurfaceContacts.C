@@ -77,6 +77,31 @@ scalar angleShare
     return t < 0 ? -result : result;
 }
 
+
+//- Add a piece of a plane to the piece of the same plane and patch, if there is one
+void addPiece
+(
+    const wallSurface::contact& piece,
+    const scalar tolerance,
+    DynamicList<wallSurface::contact>& planes
+)
+{
+    for (wallSurface::contact& other : planes)
+    {
+        if
+        (
+            other.patch == piece.patch
+         && mag(other.normal - piece.normal) < 1e-6
+         && mag(other.overlap - piece.overlap) < tolerance
+        )
+        {
+            other.share += piece.share;
+            return;
+        }
+    }
+    planes.append(piece);
+}
+
 }
 
 
@@ -118,21 +143,14 @@ Foam::scalar Foam::wallSurface::edgeShare
 }
 
 
-Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
+Foam::DynamicList<Foam::wallSurface::facet> Foam::wallSurface::touching
 (
     const point& x,
     const scalar radius,
-    const UList<label>& triangles
+    const UList<label>& triangles,
+    bool& behind
 ) const
 {
-    DynamicList<contact> result;
-
-    struct facet
-    {
-        label triangle;
-        vector out;         // unit, out of the fluid
-        scalar height;      // of the centre over its plane, into the fluid
-    };
     DynamicList<facet> facets;
 
     // Is the centre behind the wall? If several triangles share the nearest
@@ -175,21 +193,29 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
             side = height;
         }
     }
-    const bool behind = side < -1e-9*radius;
+    behind = side < -1e-9*radius;
+    return facets;
+}
 
-    const auto counts = [&](const facet& f)
-    {
-        return behind ? f.height <= 0 : f.height >= 0;
-    };
+
+Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
+(
+    const point& x,
+    const scalar radius,
+    const UList<label>& triangles
+) const
+{
+    bool behind;
+    const DynamicList<facet> facets(touching(x, radius, triangles, behind));
     for (const facet& f : facets)
     {
-        counts_[f.triangle] = counts(f);
+        counts_[f.triangle] = behind ? f.height <= 0 : f.height >= 0;
     }
 
     DynamicList<contact> planes;
     for (const facet& f : facets)
     {
-        if (!counts(f))
+        if (!counts_[f.triangle])
         {
             continue;
         }
@@ -211,33 +237,18 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
                 );
             }
         }
-
-        // The pieces of one plane of a patch are one contact
-        const contact c{-f.out, radius - f.height, share, patch(f.triangle)};
-        bool known = false;
-        for (contact& other : planes)
-        {
-            if
-            (
-                other.patch == c.patch
-             && mag(other.normal - c.normal) < 1e-6
-             && mag(other.overlap - c.overlap) < 1e-6*radius
-            )
-            {
-                other.share += share;
-                known = true;
-                break;
-            }
-        }
-        if (!known)
-        {
-            planes.append(c);
-        }
+        addPiece
+        (
+            {-f.out, radius - f.height, share, patch(f.triangle)},
+            1e-6*radius, planes
+        );
     }
     for (const facet& f : facets)
     {
         counts_[f.triangle] = false;
     }
+
+    DynamicList<contact> result;
     for (contact& c : planes)
     {
         c.share /= constant::mathematical::twoPi;
@@ -246,6 +257,5 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
             result.append(c);
         }
     }
-
     return result;
 }

@@ -17,6 +17,61 @@ using namespace Foam;
 const scalar smooth = 0.8;
 const scalar facing = 0.5;
 
+//- A triangle in front of a sphere
+struct frontFacet
+{
+    scalar distance;
+    label triangle;
+    vector out;
+    point nearest;
+};
+
+
+//- Whether f is nearer than g. Where both are equally near, on an edge, their normals
+//  decide, so that the order of the triangles does not
+bool before(const frontFacet& f, const frontFacet& g, const scalar limit)
+{
+    if (mag(f.distance - g.distance) > 1e-9*limit)
+    {
+        return f.distance < g.distance;
+    }
+    const vector turn(f.out - g.out);
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (mag(turn[k]) > 1e-6)
+        {
+            return turn[k] < 0;
+        }
+    }
+    return false;
+}
+
+
+//- Whether one of the edges, from each second point to the next, passes a point
+bool passes
+(
+    const UList<vector>& edges,
+    const vector& at,
+    const scalar tolerance
+)
+{
+    for (label k = 0; k < edges.size(); k += 2)
+    {
+        const vector along(edges[k + 1] - edges[k]);
+        const scalar part =
+            ((at - edges[k]) & along)/max(magSqr(along), VSMALL);
+        const vector closest
+        (
+            edges[k] + min(max(part, scalar(0)), scalar(1))*along
+        );
+        if (magSqr(at - closest) < sqr(tolerance))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 }
 
 
@@ -115,6 +170,72 @@ Foam::symmTensor Foam::wallSurface::curvature
 }
 
 
+Foam::DynamicList<Foam::vector> Foam::wallSurface::outline
+(
+    const point& x,
+    const label first
+) const
+{
+    DynamicList<vector> edges;
+    DynamicList<label> part;
+    labelHashSet inPart;
+    const auto append = [&](const label t)
+    {
+        counts_[t] = false;
+        inPart.insert(t);
+        part.append(t);
+    };
+    append(first);
+    for (label p = 0; p < part.size(); ++p)
+    {
+        const triPointRef piece(triangle(part[p]));
+        const point corners[] = {piece.a(), piece.b(), piece.c()};
+        for (label k = 0; k < 3; ++k)
+        {
+            const label other = beyond(part[p], k, smooth);
+            if (other >= 0 && inPart.found(other))
+            {
+                continue;
+            }
+            if (other >= 0 && counts_[other] && (out_[other] & out_[first]) > facing)
+            {
+                append(other);
+            }
+            else
+            {
+                edges.append(corners[k] - x);
+                edges.append(corners[(k + 1) % 3] - x);
+            }
+        }
+    }
+    return edges;
+}
+
+
+Foam::scalar Foam::wallSurface::shareWithin
+(
+    const UList<vector>& outline,
+    const vector& normal,
+    const scalar height,
+    const scalar radius
+)
+{
+    const auto inPlane = [&](const vector& a)
+    {
+        return vector(a - (a & normal)*normal);
+    };
+    scalar share = 0;
+    for (label k = 0; k < outline.size(); k += 2)
+    {
+        share += edgeShare
+        (
+            inPlane(outline[k]), inPlane(outline[k + 1]), -normal, height, radius
+        );
+    }
+    return share/constant::mathematical::twoPi;
+}
+
+
 Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
 (
     const point& x,
@@ -124,16 +245,8 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
     const UList<label>& triangles
 ) const
 {
-    DynamicList<film> result;
     const scalar limit = radius + reach;
-
-    struct facet
-    {
-        scalar distance;
-        label triangle;
-        point nearest;
-    };
-    DynamicList<facet> facets;
+    DynamicList<frontFacet> facets;
     for (const label t : triangles)
     {
         const triPointRef piece(triangle(t));
@@ -146,128 +259,49 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
             const pointHit hit(piece.nearestPoint(x));
             if (hit.distance() < limit && hit.distance() > SMALL*limit)
             {
-                facets.append({hit.distance(), t, hit.rawPoint()});
+                facets.append({hit.distance(), t, out_[t], hit.rawPoint()});
                 counts_[t] = true;
             }
         }
     }
 
-    // Where two facets are equally near, on an edge, their normals decide, so that the
-    // order of the triangles does not
-    const auto before = [&](const facet& f, const facet& g)
-    {
-        if (mag(f.distance - g.distance) > 1e-9*limit)
-        {
-            return f.distance < g.distance;
-        }
-        const vector turn(out_[f.triangle] - out_[g.triangle]);
-        for (direction k = 0; k < 3; ++k)
-        {
-            if (mag(turn[k]) > 1e-6)
-            {
-                return turn[k] < 0;
-            }
-        }
-        return false;
-    };
-
+    // Part by part of the wall, from the nearest facet that is in none yet
+    DynamicList<film> result;
     while (true)
     {
-        label nearest = -1;
-        forAll(facets, k)
+        const frontFacet* first = nullptr;
+        for (const frontFacet& f : facets)
         {
-            if
-            (
-                counts_[facets[k].triangle]
-             && (nearest < 0 || before(facets[k], facets[nearest]))
-            )
+            if (counts_[f.triangle] && (!first || before(f, *first, limit)))
             {
-                nearest = k;
+                first = &f;
             }
         }
-        if (nearest < 0)
+        if (!first)
         {
             break;
         }
-        const facet& first = facets[nearest];
-
-        // The part of the wall around it, and its outline
-        const vector& out = out_[first.triangle];
-        DynamicList<label> part;
-        labelHashSet inPart;
-        const auto append = [&](const label t)
-        {
-            counts_[t] = false;
-            inPart.insert(t);
-            part.append(t);
-        };
-        append(first.triangle);
-        DynamicList<vector> outline;
-        for (label p = 0; p < part.size(); ++p)
-        {
-            const triPointRef piece(triangle(part[p]));
-            const point corners[] = {piece.a(), piece.b(), piece.c()};
-            for (label k = 0; k < 3; ++k)
-            {
-                const label other = beyond(part[p], k, smooth);
-                if (other < 0 || !inPart.found(other))
-                {
-                    if (other >= 0 && counts_[other] && (out_[other] & out) > facing)
-                    {
-                        append(other);
-                    }
-                    else
-                    {
-                        outline.append(corners[k] - x);
-                        outline.append(corners[(k + 1) % 3] - x);
-                    }
-                }
-            }
-        }
+        const DynamicList<vector> edges(outline(x, first->triangle));
 
         // Beside the nearest point, the part continues to all sides unless the outline
         // passes it
-        const vector d(first.nearest - x);
-        const vector away(-d/first.distance);
-        bool onOutline = false;
-        for (label k = 0; k < outline.size(); k += 2)
-        {
-            const vector along(outline[k + 1] - outline[k]);
-            const scalar at =
-                ((d - outline[k]) & along)/max(magSqr(along), VSMALL);
-            const vector closest
-            (
-                outline[k] + min(max(at, scalar(0)), scalar(1))*along
-            );
-            onOutline = onOutline || magSqr(d - closest) < sqr(1e-6*limit);
-        }
-        const vector normal(onOutline ? vector(-out) : away);
-        const scalar height = d & -normal;
-        scalar share = 0;
-        for (label k = 0; k < outline.size(); k += 2)
-        {
-            const auto inPlane = [&](const vector& a)
-            {
-                return vector(a - (a & normal)*normal);
-            };
-            share += edgeShare
-            (
-                inPlane(outline[k]), inPlane(outline[k + 1]), -normal, height,
-                radius + range
-            );
-        }
-        share /= constant::mathematical::twoPi;
+        const vector d(first->nearest - x);
+        const vector away(-d/first->distance);
+        const vector normal
+        (
+            passes(edges, d, 1e-6*limit) ? vector(-first->out) : away
+        );
+        const scalar share = shareWithin(edges, normal, d & -normal, radius + range);
         if (share >= 1e-9)
         {
             result.append
             (
                 {
-                    {away, limit - first.distance, share, 0},
-                    curvature(first.triangle, first.nearest, 0.5*radius)
+                    {away, limit - first->distance, share, 0},
+                    curvature(first->triangle, first->nearest, 0.5*radius)
                 }
             );
         }
     }
-
     return result;
 }

@@ -22,6 +22,70 @@ scalar fading(const scalar part)
     return sqr(x)*(3 - 2*x);
 }
 
+
+//- The clumps of all processors and their periodic images within reach of this mesh:
+//  where they come from, and their displacements
+void nearImages
+(
+    const ghostExchange& ghosts,
+    const scalar reach,
+    const UList<point>& from,
+    const UList<vector>& by,
+    DynamicList<point>& images,
+    DynamicList<vector>& ofImages
+)
+{
+    // To every processor the clumps and periodic images within reach of its box
+    const auto imagesOf = [&]
+    (
+        const ghostExchange::partner& to,
+        DynamicList<point>& near,
+        DynamicList<vector>& ofNear
+    )
+    {
+        const boundBox box(grown(ghosts.box(to.proci), reach));
+        for (const label s : to.shifts)
+        {
+            const vector& shift = ghosts.shifts()[s];
+            forAll(from, k)
+            {
+                if (box.contains(from[k] + shift))
+                {
+                    near.append(from[k] + shift);
+                    ofNear.append(by[k]);
+                }
+            }
+        }
+    };
+
+    const UList<ghostExchange::partner>& partners = ghosts.partners(reach);
+    for (const ghostExchange::partner& to : partners)
+    {
+        if (to.proci != Pstream::myProcNo())
+        {
+            DynamicList<point> sent;
+            DynamicList<vector> ofSent;
+            imagesOf(to, sent, ofSent);
+            OPstream os(Pstream::commsTypes::blocking, to.proci);
+            os << pointField(sent) << vectorField(ofSent);
+        }
+    }
+
+    for (const ghostExchange::partner& of : partners)
+    {
+        if (of.proci == Pstream::myProcNo())
+        {
+            imagesOf(of, images, ofImages);
+        }
+        else
+        {
+            IPstream is(Pstream::commsTypes::blocking, of.proci);
+            images.append(pointField(is));
+            ofImages.append(vectorField(is));
+        }
+    }
+}
+
 }
 
 
@@ -48,57 +112,9 @@ Foam::tmp<Foam::volVectorField> Foam::clumpDisplacement
         ++index;
     }
 
-    // To every processor the clumps and periodic images within reach of its box
-    const auto imagesOf = [&]
-    (
-        const ghostExchange::partner& to,
-        DynamicList<point>& images,
-        DynamicList<vector>& ofImages
-    )
-    {
-        const boundBox box(grown(ghosts.box(to.proci), reach));
-        for (const label s : to.shifts)
-        {
-            const vector& shift = ghosts.shifts()[s];
-            forAll(from, k)
-            {
-                if (box.contains(from[k] + shift))
-                {
-                    images.append(from[k] + shift);
-                    ofImages.append(by[k]);
-                }
-            }
-        }
-    };
-
-    const UList<ghostExchange::partner>& partners = ghosts.partners(reach);
-    for (const ghostExchange::partner& to : partners)
-    {
-        if (to.proci != Pstream::myProcNo())
-        {
-            DynamicList<point> images;
-            DynamicList<vector> ofImages;
-            imagesOf(to, images, ofImages);
-            OPstream os(Pstream::commsTypes::blocking, to.proci);
-            os << pointField(images) << vectorField(ofImages);
-        }
-    }
-
     DynamicList<point> images;
     DynamicList<vector> ofImages;
-    for (const ghostExchange::partner& of : partners)
-    {
-        if (of.proci == Pstream::myProcNo())
-        {
-            imagesOf(of, images, ofImages);
-        }
-        else
-        {
-            IPstream is(Pstream::commsTypes::blocking, of.proci);
-            images.append(pointField(is));
-            ofImages.append(vectorField(is));
-        }
-    }
+    nearImages(ghosts, reach, from, by, images, ofImages);
 
     auto result = tmp<volVectorField>::New
     (

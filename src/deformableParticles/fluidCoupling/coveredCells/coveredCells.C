@@ -33,114 +33,116 @@ void Foam::coveredCells::update
     typeId_ = image.typeId;
     centres_ = image.x;
 
-    findCells(geometry, solidFraction, forcing, type, image);
+    findCells({geometry, solidFraction, forcing, type}, image);
     setWeights(type);
 }
 
 
-void Foam::coveredCells::findCells
+Foam::scalar Foam::coveredCells::fractionOf
 (
-    const cellGeometry& geometry,
-    const solidFractionModel& solidFraction,
-    const forcingModel& forcing,
-    const clumpType& type,
-    const clumpImage& image
+    const search& by,
+    const label celli,
+    const scalar d,
+    const UList<label>& spheres
+) const
+{
+    const cellGeometry::cell& c = by.geometry[celli];
+    if (mag(d) >= c.reach)
+    {
+        return d > c.reach ? 0 : 1;
+    }
+    const scalarField& radii = by.type.radii();
+    DynamicList<point> nearCentres;
+    DynamicList<scalar> nearRadii;
+    if (by.solidFraction.needsSpheres())
+    {
+        for (const label i : spheres)
+        {
+            // The others do not reach into the cell
+            if (mag(c.x - centres_[i]) < radii[i] + c.reach)
+            {
+                nearCentres.append(centres_[i]);
+                nearRadii.append(radii[i]);
+            }
+        }
+    }
+    return by.solidFraction.fraction
+    (
+        by.geometry, celli, d, nearCentres, nearRadii
+    );
+}
+
+
+void Foam::coveredCells::addCell
+(
+    const search& by,
+    const label celli,
+    const UList<label>& spheres,
+    const sphereDistance& distance
 )
 {
-    const scalarField& radii = type.radii();
-    const scalar smallest = min(radii);
-    const scalar nReaches = forcing.nReaches();
+    const cellGeometry::cell& c = by.geometry[celli];
+    const scalar d = distance(c.x);
+    if (d > by.forcing.nReaches()*c.reach)
+    {
+        return;
+    }
+    const scalar fraction = fractionOf(by, celli, d, spheres);
+    const forcingModel::surfaceInCell surface
+    (
+        by.forcing.surface(by.geometry, celli, d, distance)
+    );
+    if
+    (
+        fraction <= SMALL && surface.wallConductance <= 0
+     && !surface.centreInside
+    )
+    {
+        return;
+    }
+
+    const scalar smallest = min(by.type.radii());
+    if (smallest < 0.999*c.width)
+    {
+        FatalErrorInFunction
+            << "Clump type " << by.type.name() << " has "
+            << 2*smallest/c.width
+            << " mesh cells per sphere diameter (sphere radius " << smallest
+            << " m, mesh cell " << c.width << " m, at " << centres_[0]
+            << "). At least 2 are required, and 4 are recommended: refine"
+            << " the mesh." << exit(FatalError);
+    }
+    cells_.append
+    (
+        {
+            celli, surface.centreInside, surface.wallConductance,
+            c.x, c.volume, fraction, 0, 0, 0, Zero
+        }
+    );
+}
+
+
+void Foam::coveredCells::findCells(const search& by, const clumpImage& image)
+{
+    const scalarField& radii = by.type.radii();
+    const scalar nReaches = by.forcing.nReaches();
     const scalar largest = max(radii);
     nearPoints near(centres_);
     const sphereDistance toAll(centres_, radii);
 
-    DynamicList<point> nearCentres;
-    DynamicList<scalar> nearRadii;
-
-    // spheres: those of the distance
-    const auto cover = [&]
-    (
-        const label celli,
-        const UList<label>& spheres,
-        const sphereDistance& distance
-    )
-    {
-        const cellGeometry::cell& c = geometry[celli];
-        const scalar d = distance(c.x);
-
-        if (d > nReaches*c.reach)
-        {
-            return;
-        }
-
-        scalar fraction = d > c.reach ? 0 : 1;
-        if (mag(d) < c.reach)
-        {
-            nearCentres.clear();
-            nearRadii.clear();
-            if (solidFraction.needsSpheres())
-            {
-                for (const label i : spheres)
-                {
-                    // The others do not reach into the cell
-                    if (mag(c.x - centres_[i]) < radii[i] + c.reach)
-                    {
-                        nearCentres.append(centres_[i]);
-                        nearRadii.append(radii[i]);
-                    }
-                }
-            }
-            fraction = solidFraction.fraction
-            (
-                geometry, celli, d, nearCentres, nearRadii
-            );
-        }
-
-        const forcingModel::surfaceInCell surface
-        (
-            forcing.surface(geometry, celli, d, distance)
-        );
-
-        if
-        (
-            fraction > SMALL
-         || surface.wallConductance > 0
-         || surface.centreInside
-        )
-        {
-            if (smallest < 0.999*c.width)
-            {
-                FatalErrorInFunction
-                    << "Clump type " << type.name() << " has "
-                    << 2*smallest/c.width
-                    << " mesh cells per sphere diameter (sphere radius " << smallest
-                    << " m, mesh cell " << c.width << " m, at " << centres_[0]
-                    << "). At least 2 are required, and 4 are recommended: refine"
-                    << " the mesh." << exit(FatalError);
-            }
-            cells_.append
-            (
-                {
-                    celli, surface.centreInside, surface.wallConductance,
-                    c.x, c.volume, fraction, 0, 0, 0, Zero
-                }
-            );
-        }
-    };
-
     DynamicList<point> someCentres;
     DynamicList<scalar> someRadii;
     cells_.clear();
-    for (const label celli : geometry.find(image.box, nReaches))
+    for (const label celli : by.geometry.find(image.box, nReaches))
     {
-        const cellGeometry::cell& c = geometry[celli];
+        const cellGeometry::cell& c = by.geometry[celli];
         if (magSqr(c.x - image.box.nearest(c.x)) > sqr(nReaches*c.reach))
         {
             continue;
         }
         if (near.few())
         {
-            cover(celli, near(c.x, 0), toAll);
+            addCell(by, celli, near(c.x, 0), toAll);
             continue;
         }
 
@@ -160,9 +162,40 @@ void Foam::coveredCells::findCells
         }
         if (spheres.size())
         {
-            cover(celli, spheres, sphereDistance(someCentres, someRadii));
+            addCell(by, celli, spheres, sphereDistance(someCentres, someRadii));
         }
     }
+}
+
+
+Foam::vector Foam::coveredCells::normalise
+(
+    const label first,
+    const scalar largest,
+    const point& x
+)
+{
+    scalar sum = 0;
+    label end = first;
+    for (label m = first; m < weights_.size(); ++m)
+    {
+        const scalar e = weights_[m].w - largest;
+        if (e >= -largestExponent)
+        {
+            weights_[end] = {weights_[m].i, Foam::exp(e)};
+            sum += weights_[end++].w;
+        }
+    }
+    weights_.setSize(end);
+
+    vector mean(Zero);
+    for (label m = first; m < end; ++m)
+    {
+        sphereWeight& s = weights_[m];
+        s.w /= sum;
+        mean += s.w*(slopes_[s.i]*(x - centres_[s.i]));
+    }
+    return mean;
 }
 
 
@@ -216,27 +249,7 @@ void Foam::coveredCells::setWeights(const clumpType& type)
             largest = max(largest, weights_.last().w);
         }
 
-        scalar sum = 0;
-        label end = first;
-        for (label m = first; m < weights_.size(); ++m)
-        {
-            const scalar e = weights_[m].w - largest;
-            if (e >= -largestExponent)
-            {
-                weights_[end] = {weights_[m].i, Foam::exp(e)};
-                sum += weights_[end++].w;
-            }
-        }
-        weights_.setSize(end);
-
-        vector mean(Zero);
-        for (label m = first; m < end; ++m)
-        {
-            sphereWeight& s = weights_[m];
-            s.w /= sum;
-            mean += s.w*(slopes_[s.i]*(x - centres_[s.i]));
-        }
-        cells_[k].meanSlope = mean;
-        starts_[k + 1] = end;
+        cells_[k].meanSlope = normalise(first, largest, x);
+        starts_[k + 1] = weights_.size();
     }
 }

@@ -166,6 +166,54 @@ void Foam::functionObjects::vtkSeries::load
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+//- The points of the cells, of the same number each
+void writeCells
+(
+    vtk::formatter& format,
+    const functionObjects::vtkSeries::polyData& data,
+    const label nCells,
+    const label size
+)
+{
+    typedef functionObjects::vtkSeries series;
+    const bool polygons = data.kind == series::triangles;
+    const auto tag =
+        polygons ? vtk::fileTag::POLYS
+      : data.kind == series::lines ? vtk::fileTag::LINES : vtk::fileTag::VERTS;
+    format.tag(tag);
+    format.beginDataArray<label>(vtk::dataArrayAttr::CONNECTIVITY);
+    format.writeSize(vtk::sizeofData<label>(size*nCells));
+    if (polygons)
+    {
+        vtk::writeList(format, data.corners);
+    }
+    else
+    {
+        // Point i belongs to cell i/size
+        vtk::writeIdentity(format, size*nCells);
+    }
+    format.flush();
+    format.endDataArray();
+
+    format.beginDataArray<label>(vtk::dataArrayAttr::OFFSETS);
+    format.writeSize(vtk::sizeofData<label>(nCells));
+    for (label i = 1; i <= nCells; ++i)
+    {
+        format.write(size*i);
+    }
+    format.flush();
+    format.endDataArray();
+    format.endTag(tag);
+}
+
+}
+
+
 void Foam::functionObjects::vtkSeries::writeData
 (
     const fileName& file,
@@ -206,33 +254,7 @@ void Foam::functionObjects::vtkSeries::writeData
     format.endDataArray();
     format.endTag(vtk::fileTag::POINTS);
 
-    const auto tag =
-        polygons ? vtk::fileTag::POLYS
-      : data.kind == lines ? vtk::fileTag::LINES : vtk::fileTag::VERTS;
-    format.tag(tag);
-    format.beginDataArray<label>(vtk::dataArrayAttr::CONNECTIVITY);
-    format.writeSize(vtk::sizeofData<label>(size*nCells));
-    if (polygons)
-    {
-        vtk::writeList(format, data.corners);
-    }
-    else
-    {
-        // Point i belongs to cell i/size
-        vtk::writeIdentity(format, size*nCells);
-    }
-    format.flush();
-    format.endDataArray();
-
-    format.beginDataArray<label>(vtk::dataArrayAttr::OFFSETS);
-    format.writeSize(vtk::sizeofData<label>(nCells));
-    for (label i = 1; i <= nCells; ++i)
-    {
-        format.write(size*i);
-    }
-    format.flush();
-    format.endDataArray();
-    format.endTag(tag);
+    writeCells(format, data, nCells, size);
 
     if (data.ofCells)
     {

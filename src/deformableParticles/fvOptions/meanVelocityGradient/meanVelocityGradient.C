@@ -167,6 +167,13 @@ Foam::tensor Foam::fv::meanVelocityGradient::heldDirections() const
         held += axes[k]*axes[k];
     }
 
+    refuseFixed(held);
+    return held;
+}
+
+
+void Foam::fv::meanVelocityGradient::refuseFixed(const tensor& held) const
+{
     if (mag(Ubar_ - (held & Ubar_)) > 1e-6*mag(Ubar_))
     {
         FatalIOErrorInFunction(coeffs_)
@@ -176,14 +183,13 @@ Foam::tensor Foam::fv::meanVelocityGradient::heldDirections() const
             << " patches. The gradient would grow without limit."
             << exit(FatalIOError);
     }
-    if (nFree == axes.size())
+    if (tr(held) == 0)
     {
         FatalIOErrorInFunction(coeffs_)
             << "Entry 'Ubar' is " << Ubar_ << ", but no component of the mean"
             << " velocity can be held: there are no cyclic patches, or their"
             << " directions are among the entry 'free'." << exit(FatalIOError);
     }
-    return held;
 }
 
 

@@ -7,7 +7,7 @@ Description
     they run only when named.
 \*---------------------------------------------------------------------------*/
 
-#include "catch2/catch.hpp"
+#include "testCatch.H"
 #include "testCase.H"
 
 using namespace Foam;

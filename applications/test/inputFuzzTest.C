@@ -12,7 +12,7 @@ Description
     of the first input, FUZZ_SECONDS how long to go on; cases/fuzzTest runs it.
 \*---------------------------------------------------------------------------*/
 
-#include "catch2/catch.hpp"
+#include "testCatch.H"
 #include "testCase.H"
 #include "deformableCloud.H"
 #include "OSspecific.H"

@@ -17,7 +17,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #define CATCH_CONFIG_RUNNER
-#include "catch2/catch.hpp"
+#include "testCatch.H"
 
 #include "testCase.H"
 #include "OSspecific.H"
@@ -45,9 +45,8 @@ fvMesh& Foam::testMesh() { return *meshPtr; }
 int main(int argc, char* argv[])
 {
     // Catch's arguments end at ---
-    std::vector<char*> catchArgs, foamArgs;
-    catchArgs.push_back(argv[0]);
-    foamArgs.push_back(argv[0]);
+    std::vector<const char*> catchArgs{argv[0], "--order", "decl"};
+    std::vector<char*> foamArgs{argv[0]};
     bool foams = false;
     for (int i = 1; i < argc; ++i)
     {
@@ -55,9 +54,13 @@ int main(int argc, char* argv[])
         {
             foams = true;
         }
+        else if (foams)
+        {
+            foamArgs.push_back(argv[i]);
+        }
         else
         {
-            (foams ? foamArgs : catchArgs).push_back(argv[i]);
+            catchArgs.push_back(argv[i]);
         }
     }
 
@@ -66,6 +69,16 @@ int main(int argc, char* argv[])
 
     argList::noBanner();
     argList args(foamArgc, foamArgv);
+
+    // Every rank reports into a file of its own
+    const std::string report
+    (
+        cwd()/("log.rank" + Foam::name(Pstream::myProcNo()))
+    );
+    if (Pstream::parRun())
+    {
+        catchArgs.insert(catchArgs.end(), {"--out", report.c_str()});
+    }
 
     std::unique_ptr<Catch::Session> session(new Catch::Session);
     int status =
@@ -88,16 +101,6 @@ int main(int argc, char* argv[])
         FatalError.throwExceptions();
         FatalIOError.throwExceptions();
 
-        // Every rank reports into a file of its own
-        const fileName report
-        (
-            cwd()/("log.rank" + Foam::name(Pstream::myProcNo()))
-        );
-        if (Pstream::parRun())
-        {
-            session->configData().outputFilename = report;
-        }
-        session->configData().runOrder = Catch::RunTests::InDeclarationOrder;
         status = session->run() ? 1 : 0;
 
         // Closes the report

@@ -8,7 +8,7 @@ Description
     The headers are found through $DEFORMABLE_SRC.
 \*---------------------------------------------------------------------------*/
 
-#include "catch2/catch.hpp"
+#include "testCatch.H"
 #include "testCase.H"
 #include "clump/closedSurfaces.H"
 #include "injection.H"

@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "catch2/catch.hpp"
+#include "testCatch.H"
 #include "testCase.H"
 #include "bondForces.H"
 #include "integrator.H"

@@ -7,7 +7,7 @@ Description
     watchdog knows of the flow.
 \*---------------------------------------------------------------------------*/
 
-#include "catch2/catch.hpp"
+#include "testCatch.H"
 #include "testCase.H"
 #include "fixedValueFvPatchFields.H"
 #include "flowDriving.H"

@@ -79,7 +79,16 @@ void Foam::carriedPressure::findLevels()
 
     sameLevel_.reset
     (
-        new surfaceScalarField("sameLevel", neg0(fvc::interpolate(beside)))
+        // Not registered: OpenFOAM would map it when the mesh refines
+        new surfaceScalarField
+        (
+            IOobject
+            (
+                "sameLevel", mesh.time().timeName(), mesh,
+                IOobject::NO_READ, IOobject::NO_WRITE, false
+            ),
+            neg0(fvc::interpolate(beside))
+        )
     );
     orthogonal_ =
         gMax(magSqr(mesh.nonOrthCorrectionVectors().primitiveField())) < 1e-6;

@@ -62,6 +62,16 @@ public:
 }
 
 
+Foam::IOobject Foam::carriedVelocity::unregistered(const word& name) const
+{
+    return IOobject
+    (
+        name, U_.time().timeName(), U_.mesh(),
+        IOobject::NO_READ, IOobject::NO_WRITE, false
+    );
+}
+
+
 Foam::carriedVelocity::carriedVelocity(const volVectorField& U)
 :
     U_(U),
@@ -70,6 +80,49 @@ Foam::carriedVelocity::carriedVelocity(const volVectorField& U)
         word(U.mesh().ddtScheme("ddt(" + U.name() + ')')) == "Euler"
     )
 {}
+
+
+Foam::tmp<Foam::volVectorField> Foam::carriedVelocity::carried
+(
+    const surfaceScalarField& part,
+    const label nParts
+) const
+{
+    const fvMesh& mesh = U_.mesh();
+    const volScalarField divergence(fvc::surfaceIntegrate(part));
+    const faceValues onFaces(mesh);
+
+    // The values beyond coupled patches are needed; derivatives are zero on others
+    const auto zero = [&](const char* name)
+    {
+        return tmp<volVectorField>::New
+        (
+            unregistered(name), mesh, dimensionedVector(dimVelocity, Zero)
+        );
+    };
+    tmp<volVectorField> tresult(zero("carried"));
+    volVectorField& result = tresult.ref();
+    result == U_.oldTime();
+    volVectorField term(zero("term"));
+    for (label i = 0; i < nParts; ++i)
+    {
+        vectorField sum(mesh.nCells(), Zero);
+        for (label order = 1; order <= 3; ++order)
+        {
+            const volVectorField& of = order == 1 ? result : term;
+            const volVectorField derivative
+            (
+                divergence*of - fvc::surfaceIntegrate(part*onFaces(of)())
+            );
+            term.primitiveFieldRef() = derivative.primitiveField()/order;
+            term.correctBoundaryConditions();
+            sum += term.primitiveField();
+        }
+        result.primitiveFieldRef() += sum;
+        result.correctBoundaryConditions();
+    }
+    return tresult;
+}
 
 
 void Foam::carriedVelocity::carry
@@ -90,7 +143,7 @@ void Foam::carriedVelocity::carry
         return;
     }
 
-    swept_.reset(new surfaceScalarField("swept", fvc::flux(d)));
+    swept_.reset(new surfaceScalarField(unregistered("swept"), fvc::flux(d)));
     for (auto& patch : swept_->boundaryFieldRef())
     {
         if (!patch.coupled())
@@ -98,44 +151,19 @@ void Foam::carriedVelocity::carry
             patch = Zero;
         }
     }
-    const scalar Courant =
-        0.5*gMax(fvc::surfaceSum(mag(*swept_))().primitiveField()/mesh.V().field());
-    const label nParts = max(label(1), label(std::ceil(Courant)));
-    const surfaceScalarField part(*swept_/nParts);
-    const volScalarField divergence(fvc::surfaceIntegrate(part));
-    const faceValues onFaces(mesh);
-
-    // Of the change of the velocity and of its derivatives the values beyond coupled
-    // patches are needed; those on others are zero
-    const auto zero = [&](const char* name)
-    {
-        return volVectorField
+    const scalarField Courant
+    (
+        0.5*fvc::surfaceSum(mag(*swept_))().primitiveField()/mesh.V().field()
+    );
+    const label nParts = max(label(1), label(std::ceil(gMax(Courant))));
+    rate_.reset
+    (
+        new volVectorField
         (
-            IOobject(name, mesh.time().timeName(), mesh),
-            mesh, dimensionedVector(dimVelocity, Zero)
-        );
-    };
-    volVectorField carried(zero("carried"));
-    carried == U_.oldTime();
-    volVectorField term(zero("term"));
-    for (label i = 0; i < nParts; ++i)
-    {
-        volVectorField sum(zero("sum"));
-        for (label order = 1; order <= 3; ++order)
-        {
-            const volVectorField& of = order == 1 ? carried : term;
-            const volVectorField derivative
-            (
-                divergence*of - fvc::surfaceIntegrate(part*onFaces(of)())
-            );
-            term.primitiveFieldRef() = derivative.primitiveField()/order;
-            term.correctBoundaryConditions();
-            sum.primitiveFieldRef() += term.primitiveField();
-        }
-        carried.primitiveFieldRef() += sum.primitiveField();
-        carried.correctBoundaryConditions();
-    }
-    rate_.reset(new volVectorField("rate", (U_.oldTime() - carried)/dt));
+            unregistered("rate"),
+            (U_.oldTime() - carried(*swept_/nParts, nParts))/dt
+        )
+    );
 }
 
 

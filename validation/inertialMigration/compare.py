@@ -106,7 +106,7 @@ for sliding, style in ("auto", "o-"), ("off", "s--"):
                   label="mesh slides" if sliding == "auto" else "mesh at rest")
 left.set_xlabel("Courant number")
 left.set_ylabel("drift / largest velocity")
-left.set_ylim(0)
+left.set_ylim(0, 1.5*reference)
 left.legend()
 for r in [r for r in rows if r["end"] > 10]:
     t, x, y = path(r)

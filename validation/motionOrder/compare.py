@@ -9,13 +9,13 @@ PERIOD = {"shear": 45e-6, "tumbling": 45e-6, "bifurcation": None}   # of x [m]
 LIMIT = {"shear": 0.5, "tumbling": 0.5, "bifurcation": 1}   # at 1e-3 s [% of way and of angle]
 # Explained in the README
 KNOWN = {
-    "place, of the way: shear, converged, 0.001 s": 0.559803,
-    "place, of the way: shear, standard, 0.001 s": 0.55263,
-    "place, of the way: tumbling, converged, 0.001 s": 0.583085,
-    "place, of the way: tumbling, standard, 0.001 s": 1.04318,
-    "angle: bifurcation, converged, 0.001 s": 3.5323,
-    "angle: bifurcation, standard, 0.001 s": 4.69486,
-    "angle: bifurcation, standard, 0.0005 s": 1.56365,
+    "place, of the way: shear, converged, 0.001 s": 0.559742,
+    "place, of the way: shear, standard, 0.001 s": 0.525708,
+    "place, of the way: tumbling, converged, 0.001 s": 0.583135,
+    "place, of the way: tumbling, standard, 0.001 s": 1.04465,
+    "angle: bifurcation, converged, 0.001 s": 3.5321,
+    "angle: bifurcation, standard, 0.001 s": 5.03719,
+    "angle: bifurcation, standard, 0.0005 s": 1.68537,
 }
 rows = read("data.csv")
 results = Results()

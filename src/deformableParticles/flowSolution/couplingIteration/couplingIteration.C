@@ -176,13 +176,12 @@ void Foam::couplingIteration::beginStep()
     {
         return;
     }
+    const timeBreakdown::timer t(cloud_.timing(), "flow");
     const volVectorField d(clumpDisplacement(cloud_));
     if (flow_.carriesPressure())
     {
-        const timeBreakdown::timer t(cloud_.timing(), "flow");
         flow_.carryPressure(d);
     }
-    const timeBreakdown::timer t(cloud_.timing(), "convection");
     flow_.carryVelocity(d, cloud_.largestDiameter());
 }
 

@@ -6,6 +6,7 @@
 #include "outerCorrectors.H"
 #include "foamCompat.H"
 #include "Switch.H"
+#include "volFields.H"
 
 constexpr Foam::label Foam::outerCorrectors::usualNumber;
 constexpr Foam::scalar Foam::outerCorrectors::usualTolerance;
@@ -86,17 +87,27 @@ const Foam::dictionary Foam::outerCorrectors::dict() const
     {
         const label n = result.get<label>("nOuterCorrectors");
         const bool exact = result.get<scalar>("couplingTolerance") == 0;
-        const bool fromRest = exact && n > 1 && mesh_.time().timeIndex() == 1;
-        if (fromRest || !toleranceGiven)
+        const bool iterated = exact && n > 1 && startsFromRest();
+        if (iterated || !toleranceGiven)
         {
             result.set("nOuterCorrectors", max(n, usualNumber));
         }
-        if (fromRest)
+        if (iterated)
         {
             result.set("couplingTolerance", usualTolerance);
         }
     }
     return result;
+}
+
+
+bool Foam::outerCorrectors::startsFromRest() const
+{
+    // At the start of a run there is no U yet
+    const auto* U = mesh_.findObject<volVectorField>("U");
+    return
+        U && mesh_.time().timeIndex() == 1
+     && gMax(magSqr(U->oldTime().primitiveField())) == 0;
 }
 
 

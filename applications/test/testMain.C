@@ -44,8 +44,11 @@ fvMesh& Foam::testMesh() { return *meshPtr; }
 
 int main(int argc, char* argv[])
 {
-    // Catch's arguments end at ---
-    std::vector<const char*> catchArgs{argv[0], "--order", "decl"};
+    // Catch's arguments end at ---. Alltest reads what is printed
+    std::vector<const char*> catchArgs
+    {
+        argv[0], "--order", "decl", CATCH_WITHOUT_COLOUR
+    };
     std::vector<char*> foamArgs{argv[0]};
     bool foams = false;
     for (int i = 1; i < argc; ++i)

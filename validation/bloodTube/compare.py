@@ -29,10 +29,9 @@ def bulk(H):
 
 
 longest = max(run["way_D"] for run in runs)
-for run in runs:
+main = [run for run in runs if run["D_dx"] == 3.2 and run["way_D"] == longest]
+for run in main:
     name = f"{run['D_um']:g} um, {100*run['H']:g} %"
-    if run["D_dx"] != 3.2 or run["way_D"] < longest:
-        continue
     goal = target(run)
     known = {key[2]: value for key, value in KNOWN.items()
              if key[:2] == (run["D_um"], run["H"]) and run["way_D"] >= ENOUGH}
@@ -68,21 +67,20 @@ if audits:
     results.change("D/dx 4: change of the viscosity", fine, base, "muRel", 0.05)
 
 # The Fahraeus-Lindqvist effect
-order = sorted((run for run in runs if run["H"] == 0.3 and run["way_D"] == longest),
-               key=lambda run: run["D_um"])
+order = sorted((run for run in main if run["H"] == 0.3), key=lambda run: run["D_um"])
 for thin, wide in zip(order, order[1:]):
     results.add(f"viscosity in {thin['D_um']:g} um over that in {wide['D_um']:g} um",
                 thin["muRel"]/wide["muRel"], "-", target(thin)["mu_rel"]/target(wide)["mu_rel"],
                 0.15, SOURCE)
 
 figure, axes = plt.subplots(1, 2, figsize=(9, 3.8))
-widest = [run for run in runs if run["D_um"] == 20 and run["D_dx"] == 4 and run["way_D"] == longest]
+tubes = [run for run in main if run["D_um"] == 20]
 rows = [row for row in targets if row["D_um"] == 20]
 for panel, key, goal, label in ((axes[0], "muRel", "mu_rel", "relative viscosity"),
                                 (axes[1], "HtHd", "Ht_over_Hd", "tube over discharge haematocrit")):
     panel.plot([row["Ht"] for row in rows], [row[goal] for row in rows], "k-", label="Pries 1992")
-    panel.errorbar([run["H"] for run in widest], [run[key] for run in widest],
-                   [run[key + "_error"] for run in widest], fmt="o", color="C3", label="20 um")
+    panel.errorbar([run["H"] for run in tubes], [run[key] for run in tubes],
+                   [run[key + "_error"] for run in tubes], fmt="o", color="C3", label="20 um")
     panel.set_xlabel("tube haematocrit")
     panel.set_ylabel(label)
     panel.legend()

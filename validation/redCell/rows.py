@@ -38,14 +38,14 @@ if case == "stretch":
               f"{last['Lx']/held[-2]['Lx'] - 1:.5f},{last['volume']/start['volume']:.8f},"
               f"{last['area']/start['area']:.5f}")
 else:
-    rate, mu, subdivisions, step, seconds = sys.argv[2:]
+    rate, mu, subdivisions, step, cells, seconds = sys.argv[2:]
     with open(f"{case}/log.rbcIbFoam") as file:
         correctors = [int(n) for n in re.findall(r"^Outer correctors: (\d+)", file.read(), re.M)]
     turned = unwrapped([r["phase"] for r in rows])
     f, first = lastHalfTurn([r["time"] for r in rows], turned)
     last = rows[first:]
     mean = {k: sum(r[k] for r in last)/len(last) for k in ("inclination", "Lx", "Lz")}
-    print(f"{rate},{mu},{subdivisions},{step},{f/float(rate):.5f},"
+    print(f"{rate},{mu},{subdivisions},{step},{cells},{f/float(rate):.5f},"
           f"{degrees(mean['inclination']):.2f},{mean['Lx']*1e6:.3f},{mean['Lz']*1e6:.3f},"
           f"{last[-1]['volume']/start['volume']:.8f},{last[-1]['area']/start['area']:.5f},"
           f"{sum(correctors)/len(correctors):.2f},{seconds}")

@@ -305,7 +305,10 @@ void Foam::deformableCloud::endCorrector(const scalar dt)
     for (clumpParcel& p : *this)
     {
         clumpStep& step = p.step();
-        step.end.a = (step.end.u - step.imposedU)/dt;
+        step.end.a =
+            type(p).hasSurface()
+          ? membraneStep::acceleration(p, dt, mesh_.time().deltaT0Value())
+          : vectorField((step.end.u - step.imposedU)/dt);
         step.end.b = (step.end.w - step.imposedW)/dt;
     }
 }

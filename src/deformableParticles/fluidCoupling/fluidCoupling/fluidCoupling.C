@@ -280,11 +280,20 @@ bool Foam::fluidCoupling::turn
 ) const
 {
     const clumpType& type = types_[p.typeId()];
-    if (!scheme_->turns() || type.hasSurface())
+    const clumpState& s = p.state();
+    if (type.hasSurface())
+    {
+        if (extrapolate)
+        {
+            const scalar dt0 = mesh_.time().deltaT0Value();
+            p.step().imposedU = s.u + 0.5*(dt + dt0)*s.a;
+        }
+        return extrapolate;
+    }
+    if (!scheme_->turns())
     {
         return false;
     }
-    const clumpState& s = p.state();
     const vector velocity(s.velocity(type));
     const vector next
     (

@@ -10,6 +10,20 @@ namespace
 
 using namespace Foam;
 
+//- c of the resistance to a difference between nodes: along the normals, and in space
+constexpr scalar ofNormals = 0.25;
+constexpr scalar ofAll = 0.05;
+
+Eigen::Matrix3d asMatrix(const tensor& t)
+{
+    Eigen::Matrix3d result;
+    result <<
+        t.xx(), t.xy(), t.xz(),
+        t.yx(), t.yy(), t.yz(),
+        t.zx(), t.zy(), t.zz();
+    return result;
+}
+
 vectorField toField(const Eigen::VectorXd& v)
 {
     vectorField result(v.size()/3);
@@ -75,6 +89,19 @@ Foam::membraneModel::motion Foam::membraneStep::startOf
 }
 
 
+Foam::vectorField Foam::membraneStep::acceleration
+(
+    const clumpParcel& p,
+    const scalar dt,
+    const scalar dt0
+)
+{
+    const vectorField& last = p.state().u;
+    const bool starts = max(mag(last)) == 0;
+    return (2*scalar(!starts)/(dt + dt0))*(p.step().end.u - last);
+}
+
+
 void Foam::membraneStep::impose
 (
     clumpParcel& p,
@@ -112,6 +139,47 @@ Foam::vectorField Foam::membraneStep::weight
 }
 
 
+Foam::scalar Foam::membraneStep::addResistance
+(
+    const problem& step,
+    const vectorField& strayed,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    const scalar kn = ofNormals*step.edgeK;
+    const scalar k = ofAll*step.edgeK;
+
+    vectorField force(step.K & strayed);
+    for (const closedSurface::hinge& h : surface().hinges())
+    {
+        const label i = max(h.i, h.j);
+        const label j = min(h.i, h.j);
+        const vector& ni = step.normals[i];
+        const vector& nj = step.normals[j];
+        const scalar along = kn*((ni & strayed[i]) - (nj & strayed[j]));
+        const vector ofEdge(k*(strayed[i] - strayed[j]));
+        force[i] += along*ni + ofEdge;
+        force[j] -= along*nj + ofEdge;
+        if (tangent)
+        {
+            tangent->add(i, i, asMatrix(kn*(ni*ni) + k*tensor::I));
+            tangent->add(j, j, asMatrix(kn*(nj*nj) + k*tensor::I));
+            tangent->add(i, j, asMatrix(-kn*(ni*nj) - k*tensor::I));
+        }
+    }
+    if (tangent)
+    {
+        forAll(step.K, i)
+        {
+            tangent->add(i, i, asMatrix(tensor(step.K[i] + step.ext.k[i])));
+        }
+    }
+    gradient += force;
+    return 0.5*sum(force & strayed);
+}
+
+
 Foam::scalar Foam::membraneStep::value
 (
     const problem& step,
@@ -122,28 +190,15 @@ Foam::scalar Foam::membraneStep::value
 {
     const vectorField strayed(y - step.target);
     const vectorField moved(y - step.x);
-    const vectorField ofFluid(step.K & strayed);
+    const vectorField given(step.F - step.ext.f);
     const vectorField ofTethers(step.ext.k & moved);
 
-    gradient = ofFluid + ofTethers - step.ext.f;
-    if (tangent)
-    {
-        const symmTensorField diagonal(step.K + step.ext.k);
-        forAll(diagonal, i)
-        {
-            const symmTensor& d = diagonal[i];
-            Eigen::Matrix3d block;
-            block <<
-                d.xx(), d.xy(), d.xz(),
-                d.xy(), d.yy(), d.yz(),
-                d.xz(), d.yz(), d.zz();
-            tangent->add(i, i, block);
-        }
-    }
+    gradient = given + ofTethers;
     return
-        mechanics_.add(y, gradient, tangent, &step.start)
+        addResistance(step, strayed, gradient, tangent)
+      + mechanics_.add(y, gradient, tangent, &step.start)
       + contacts_.add(step.contacts, y - step.imposed, gradient, tangent)
-      + sum(0.5*(ofFluid & strayed) + 0.5*(ofTethers & moved) - (step.ext.f & moved));
+      + sum((given + 0.5*ofTethers) & moved);
 }
 
 
@@ -278,13 +333,22 @@ void Foam::membraneStep::advance
     const scalar harmonic = 2*mu*ratio/(1 + ratio);
 
     const scalarField zeta(8*mean*flow.areas/type.halfWidth());
-    const scalarField along(1/(1/zeta + flow.smoothing/(2*harmonic*flow.areas)));
+    const scalarField smeared(flow.smoothing/(2*harmonic*flow.areas));
+    const scalarField along(1/(1/zeta + smeared));
     const vectorField n(flow.areaVectors/mag(flow.areaVectors));
+    const vectorField unsmeared
+    (
+        flow.u + smeared*(flow.force - n*(n & flow.force))
+    );
+    const scalar d = surface().edgeLength(s.x);
     const problem step
     {
+        n,
         s.x,
-        start.from + start.span*(flow.u - flow.force/zeta),
+        start.from + start.span*unsmeared,
+        flow.force,
         (along*symmTensor(I) + (zeta - along)*sqr(n))/start.span,
+        8*mean*d/Foam::sqrt(scalar(3))/start.span,
         p.step().forces,
         start,
         flow.contacts,

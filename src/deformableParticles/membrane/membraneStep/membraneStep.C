@@ -262,11 +262,12 @@ Foam::scalar Foam::membraneStep::lineSearch
 void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
 {
     constexpr label most = 100;
+    constexpr scalar tolerance = 1e-6;
     const clumpType& type = mechanics_.type();
     scalar p = 0;
     scalar change = GREAT;
 
-    for (label n = 0; n < most && change > 1e-10; ++n)
+    for (label n = 0; n < most && change > tolerance; ++n)
     {
         vectorField gradient(y.size());
         scalar value0 = 0;
@@ -301,7 +302,7 @@ void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
             break;
         }
     }
-    if (change > 1e-6)
+    if (change > tolerance)
     {
         FatalErrorInFunction
             << "The step of a membrane of type " << type.name()

@@ -30,6 +30,8 @@ TEST_CASE("state: what is written is read back exactly", "[state][serial]")
     clumpState s(type);
     disturb(type, s, 0.3, random);
     s.broken = scalarField({0, 1, 0});
+    s.nodeForces = 1e-12*s.x;
+    s.nodeForceRates = 3*s.nodeForces;
 
     OStringStream os;
     os.precision(17);
@@ -45,4 +47,6 @@ TEST_CASE("state: what is written is read back exactly", "[state][serial]")
     CHECK(read.broken == s.broken);
     CHECK(read.a == s.a);
     CHECK(read.b == s.b);
+    CHECK(read.nodeForces == s.nodeForces);
+    CHECK(read.nodeForceRates == s.nodeForceRates);
 }

@@ -33,6 +33,13 @@ const listField listFields[] =
     {"angularAccelerations", &clumpState::b}
 };
 
+//- The same for lists that may be empty
+const listField membraneFields[] =
+{
+    {"nodeForces", &clumpState::nodeForces},
+    {"nodeForceRates", &clumpState::nodeForceRates}
+};
+
 //- Fatal, naming the file and the clump
 void refuse
 (
@@ -358,6 +365,26 @@ void Foam::clumpFields::read
             }
         );
     }
+    for (clumpParcel& p : c)
+    {
+        if (types[p.typeId()].hasSurface())
+        {
+            p.state_.nodeForces.setSize(p.state_.x.size());
+            p.state_.nodeForceRates.setSize(p.state_.x.size());
+        }
+    }
+    for (const listField& field : membraneFields)
+    {
+        readLists<vector>
+        (
+            c, field.name,
+            [&](clumpParcel& p) -> vectorField&
+            {
+                return p.state_.*(field.member);
+            },
+            true
+        );
+    }
     readLists<vector>
     (
         c, "hydrodynamicForces",
@@ -448,6 +475,14 @@ void Foam::clumpFields::write
         c, "centres", [](const clumpParcel& p) { return p.state_.x; }
     );
     for (const listField& field : listFields)
+    {
+        writeLists<vector>
+        (
+            c, field.name,
+            [&](const clumpParcel& p) { return p.state_.*(field.member); }
+        );
+    }
+    for (const listField& field : membraneFields)
     {
         writeLists<vector>
         (

@@ -101,7 +101,8 @@ void Foam::clumpState::setRigidMotion
 Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 {
     os  << s.x << token::SPACE << s.u << token::SPACE << s.q << token::SPACE
-        << s.w << token::SPACE << s.a << token::SPACE << s.b << token::SPACE << s.broken;
+        << s.w << token::SPACE << s.a << token::SPACE << s.b << token::SPACE << s.broken
+        << token::SPACE << s.nodeForces << token::SPACE << s.nodeForceRates;
     os.check(FUNCTION_NAME);
     return os;
 }
@@ -109,7 +110,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpState& s)
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpState& s)
 {
-    is >> s.x >> s.u >> s.q >> s.w >> s.a >> s.b >> s.broken;
+    is >> s.x >> s.u >> s.q >> s.w >> s.a >> s.b >> s.broken
+        >> s.nodeForces >> s.nodeForceRates;
     is.check(FUNCTION_NAME);
     return is;
 }

@@ -110,14 +110,21 @@ void Foam::membraneStep::impose
 ) const
 {
     clumpStep& step = p.step();
-    const vectorField dx(dt*step.imposedU);
-    const membraneModel::motion start(startOf(p, dt, dt0));
-    vectorField F
-    (
-        mechanics_.forces(p.state().x + dx, &start)
-      + step.forces.f - (step.forces.k & dx)
-    );
-    contacts_.addForces(step.nodes.contacts, F);
+    const clumpState& s = p.state();
+    vectorField F(s.nodeForces);
+    if (step.guessed || F.empty())
+    {
+        const vectorField dx(dt*step.imposedU);
+        const membraneModel::motion start(startOf(p, dt, dt0));
+        F =
+            mechanics_.forces(s.x + dx, &start)
+          + step.forces.f - (step.forces.k & dx);
+        contacts_.addForces(step.nodes.contacts, F);
+    }
+    else if (s.nodeForceRates.size())
+    {
+        F += dt*s.nodeForceRates;
+    }
     step.nodes.force = step.nodes.withoutFlux(F);
     p.fluidForces() = -step.nodes.force;
 }
@@ -366,7 +373,15 @@ void Foam::membraneStep::advance
     }
     minimise(step, y);
 
+    vectorField F(flow.force);
+    addResistance(step, y - step.target, F, nullptr);
+
     end = s;
     end.x = y;
     end.u = (y - s.x)/dt;
+    end.nodeForces = flow.withoutFlux(F);
+    if (s.nodeForces.size())
+    {
+        end.nodeForceRates = (end.nodeForces - s.nodeForces)/dt;
+    }
 }

@@ -23,21 +23,17 @@ struct listField
 {
     const char* name;
     vectorField clumpState::* member;
+    bool mayBeEmpty;
 };
 
 const listField listFields[] =
 {
-    {"velocities", &clumpState::u},
-    {"angularVelocities", &clumpState::w},
-    {"accelerations", &clumpState::a},
-    {"angularAccelerations", &clumpState::b}
-};
-
-//- The same for lists that may be empty
-const listField membraneFields[] =
-{
-    {"nodeForces", &clumpState::nodeForces},
-    {"nodeForceRates", &clumpState::nodeForceRates}
+    {"velocities", &clumpState::u, false},
+    {"angularVelocities", &clumpState::w, false},
+    {"accelerations", &clumpState::a, false},
+    {"angularAccelerations", &clumpState::b, false},
+    {"nodeForces", &clumpState::nodeForces, true},
+    {"nodeForceRates", &clumpState::nodeForceRates, true}
 };
 
 //- Fatal, naming the file and the clump
@@ -262,8 +258,14 @@ void Foam::clumpFields::readTypes
               + Foam::name(types.size() - 1)
             );
         }
-        p.state_ = clumpState(types[p.typeId_]);
-        p.state_.broken.setSize(types[p.typeId_].pairs().size(), 0);
+        const clumpType& type = types[p.typeId_];
+        p.state_ = clumpState(type);
+        p.state_.broken.setSize(type.pairs().size(), 0);
+        if (type.hasSurface())
+        {
+            p.state_.nodeForces.setSize(type.size(), Zero);
+            p.state_.nodeForceRates.setSize(type.size(), Zero);
+        }
         p.couplingFactor_ = factors[i];
         p.overshoots_ = overshoots[i];
         ++i;
@@ -362,27 +364,8 @@ void Foam::clumpFields::read
             [&](clumpParcel& p) -> vectorField&
             {
                 return p.state_.*(field.member);
-            }
-        );
-    }
-    for (clumpParcel& p : c)
-    {
-        if (types[p.typeId()].hasSurface())
-        {
-            p.state_.nodeForces.setSize(p.state_.x.size());
-            p.state_.nodeForceRates.setSize(p.state_.x.size());
-        }
-    }
-    for (const listField& field : membraneFields)
-    {
-        readLists<vector>
-        (
-            c, field.name,
-            [&](clumpParcel& p) -> vectorField&
-            {
-                return p.state_.*(field.member);
             },
-            true
+            field.mayBeEmpty
         );
     }
     readLists<vector>
@@ -475,14 +458,6 @@ void Foam::clumpFields::write
         c, "centres", [](const clumpParcel& p) { return p.state_.x; }
     );
     for (const listField& field : listFields)
-    {
-        writeLists<vector>
-        (
-            c, field.name,
-            [&](const clumpParcel& p) { return p.state_.*(field.member); }
-        );
-    }
-    for (const listField& field : membraneFields)
     {
         writeLists<vector>
         (

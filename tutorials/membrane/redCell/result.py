@@ -1,7 +1,6 @@
 """Motion of the red cell in the two media, over the strain of the flow."""
-from math import atan2, cos, degrees, pi, radians, sin
-
 import matplotlib
+import numpy as np
 from clumpTables import table
 
 matplotlib.use("Agg")
@@ -10,21 +9,12 @@ import matplotlib.pyplot as plt     # noqa: E402
 SHEAR = 50              # [1/s]: 0.8 mm/s over 16 um (0.orig/U, system/blockMeshDict)
 
 
-def unwrapped(angles, period):
-    """Angles without jumps of the period [degrees]."""
-    result = [degrees(angles[0])]
-    for angle in angles[1:]:
-        change = radians(degrees(angle) - result[-1])*2*pi/period
-        result.append(result[-1] + degrees(atan2(sin(change), cos(change)))*period/(2*pi))
-    return result
-
-
 figure, axes = plt.subplots(1, 2, figsize=(9, 3.5), sharex=True)
 for medium in "dextran", "plasma":
     rows = table(medium, "clumpShape")
     strain = [SHEAR*r["time"] for r in rows]
-    inclination = unwrapped([r["inclination"] for r in rows], pi)
-    node = unwrapped([r["phase"] for r in rows], 2*pi)
+    inclination = np.degrees(np.unwrap([2*r["inclination"] for r in rows])/2)   # of an axis
+    node = np.degrees(np.unwrap([r["phase"] for r in rows]))
     print(f"{medium}: the cell turns by {inclination[0] - inclination[-1]:.0f} degrees, "
           f"its membrane by {node[0] - node[-1]:.0f}")
     for axis, angle in zip(axes, (inclination, node)):

@@ -1,6 +1,12 @@
 """Blood in tubes against the fits of Pries et al. (1992) at the tube haematocrit. The runs of the
 longest way are compared with the tube; the others, whose cells have not found their places, must
-lie between the tube and blood without a wall layer."""
+lie between the tube and blood without a wall layer.
+
+The two fits contradict each other in a core of blood within a layer of plasma, which moves with the
+velocity of the fluid: with the fitted viscosity its ratio of tube to discharge haematocrit is
+HtHd_twofluid of the targets for an even core, and not less than (1 + sqrt(1 - 1/muRel))/2, that of
+a rigid one. With the radius x of the core over that of the tube and m = 1 - 1/muRel, the flow is
+proportional to 1 - m, the velocity of a rigid core to 2 (1 - x^2), and m = x^4."""
 
 from results import Results, find, plt, read, save
 
@@ -14,7 +20,7 @@ ENOUGH = 25         # diameters of way
 # Misses that the README explains: (D, H, quantity): value
 KNOWN = {(20, 0.1, "HtHd"): 0.729865, (20, 0.2, "HtHd"): 0.777144, (20, 0.3, "HtHd"): 0.816445,
          (20, 0.45, "HtHd"): 0.886473, (10, 0.3, "HtHd"): 0.770571, (40, 0.3, "HtHd"): 0.894477,
-         (20, 0.45, "muRel"): 2.25505}
+         (20, 0.45, "muRel"): 2.25505, (20, 40, "layer"): 0.495692}
 
 
 def target(run):
@@ -26,6 +32,11 @@ def target(run):
 def bulk(H):
     """Relative viscosity of blood in large tubes (the same source)."""
     return 1 + 2.2*((1 - H)**-0.8 - 1)/(0.55**-0.8 - 1)
+
+
+def rigid_core(muRel):
+    """Tube over discharge haematocrit of a rigid core in a layer of plasma (see above)."""
+    return (1 + (1 - 1/muRel)**0.5)/2
 
 
 longest = max(run["way_D"] for run in runs)
@@ -40,6 +51,11 @@ for run in main:
                     ALLOWED[run["D_um"]], SOURCE, known.get("muRel"))
         results.add(f"{name}: tube over discharge haematocrit", run["HtHd"], "-",
                     goal["Ht_over_Hd"], 0.06, SOURCE, known.get("HtHd"))
+        results.add(f"{name}: the same against a core of even haematocrit", run["HtHd"], "-",
+                    goal["HtHd_twofluid"], 0.06,
+                    "two-fluid model with the viscosity of Pries et al.")
+        results.report(f"{name}: the same of a rigid core", rigid_core(goal["mu_rel"]), "-",
+                       "least of the two-fluid model with the viscosity of Pries et al.")
     else:
         low, high = goal["mu_rel"], bulk(run["H"])
         results.add(f"{name}, {run['way_D']:g} diameters of way: relative viscosity", run["muRel"],
@@ -66,15 +82,25 @@ if audits:
     results.change("half the time step: change of the viscosity", half, base, "muRel", 0.03)
     results.change("D/dx 4: change of the viscosity", fine, base, "muRel", 0.05)
 
-# The Fahraeus-Lindqvist effect
+# The layer is thinner at a higher haematocrit, and thicker in a wider tube
+tubes = sorted((run for run in main if run["D_um"] == 20), key=lambda run: run["H"])
+for few, many in zip(tubes, tubes[1:]):
+    results.add(f"20 um: layer at {100*many['H']:g} % beyond that at {100*few['H']:g} %",
+                max(1e6*(many["layer_m"] - few["layer_m"]), 0), "um", 0, 0, "thinner")
 order = sorted((run for run in main if run["H"] == 0.3), key=lambda run: run["D_um"])
+for thin, wide in zip(order, order[1:]):
+    if longest >= ENOUGH:
+        results.add(f"30 %: layer in {thin['D_um']:g} um beyond that in {wide['D_um']:g} um",
+                    max(1e6*(thin["layer_m"] - wide["layer_m"]), 0), "um", 0, 0,
+                    "thicker in the wider", KNOWN.get((thin["D_um"], wide["D_um"], "layer")))
+
+# The Fahraeus-Lindqvist effect
 for thin, wide in zip(order, order[1:]):
     results.add(f"viscosity in {thin['D_um']:g} um over that in {wide['D_um']:g} um",
                 thin["muRel"]/wide["muRel"], "-", target(thin)["mu_rel"]/target(wide)["mu_rel"],
                 0.15, SOURCE)
 
 figure, axes = plt.subplots(1, 2, figsize=(9, 3.8))
-tubes = [run for run in main if run["D_um"] == 20]
 rows = [row for row in targets if row["D_um"] == 20]
 for panel, key, goal, label in ((axes[0], "muRel", "mu_rel", "relative viscosity"),
                                 (axes[1], "HtHd", "Ht_over_Hd", "tube over discharge haematocrit")):

@@ -123,9 +123,10 @@ bool Foam::couplingIteration::converged()
 {
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
+    const scalar residual = residual_.value(p0_);
     const scalar allowed = (nCorrectors_ == 1 ? 0.1 : 1)*tolerance_;
-    const bool agree = residual_.value(p0_) < allowed;
-    if (agree && nCorrectors_ >= flow_.control().least())
+    const bool enough = nCorrectors_ >= flow_.control().least();
+    if ((residual < allowed && enough) || !residual_.solved())
     {
         return true;
     }

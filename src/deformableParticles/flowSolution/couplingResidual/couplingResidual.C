@@ -95,11 +95,16 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         before += imposed;
         after += ended;
         worst = max(worst, changed/max(max(imposed, ended), floor));
+        if (!step.nodes.solved)
+        {
+            worst = sqr(GREAT);
+        }
     }
     reduce(change, sumOp<scalar>());
     reduce(before, sumOp<scalar>());
     reduce(after, sumOp<scalar>());
     reduce(worst, maxOp<scalar>());
+    solved_ = worst < sqr(GREAT);
 
     const scalarField& p = flow_.p().primitiveField();
     change += power(p - p0);

@@ -266,7 +266,7 @@ Foam::scalar Foam::membraneStep::lineSearch
 }
 
 
-void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
+bool Foam::membraneStep::minimise(const problem& step, vectorField& y) const
 {
     constexpr label most = 100;
     constexpr scalar tolerance = 1e-6;
@@ -309,14 +309,7 @@ void Foam::membraneStep::minimise(const problem& step, vectorField& y) const
             break;
         }
     }
-    if (change > tolerance)
-    {
-        FatalErrorInFunction
-            << "The step of a membrane of type " << type.name()
-            << " has no solution: the last iteration moved a node by " << change
-            << " half widths. Reduce deltaT, or refine the surface where it folds."
-            << exit(FatalError);
-    }
+    return change <= tolerance;
 }
 
 
@@ -329,7 +322,7 @@ void Foam::membraneStep::advance
 ) const
 {
     const clumpType& type = mechanics_.type();
-    const nodeFlow& flow = p.step().nodes;
+    nodeFlow& flow = p.step().nodes;
     const clumpState& s = p.state();
     clumpState& end = p.step().end;
 
@@ -371,7 +364,7 @@ void Foam::membraneStep::advance
     {
         y = s.x;
     }
-    minimise(step, y);
+    flow.solved = minimise(step, y);
 
     vectorField F(flow.force);
     addResistance(step, y - step.target, F, nullptr);

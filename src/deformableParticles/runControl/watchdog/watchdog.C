@@ -352,6 +352,11 @@ Foam::string Foam::watchdog::thrown()
             said<< name.str().c_str() << "passes through another clump in one step"
                 << nl;
         }
+        if (!p.step().nodes.solved)
+        {
+            said<< name.str().c_str() << "the step of its membrane has no solution"
+                << nl;
+        }
         const scalar displacement =
             runTime_.deltaTValue()
            *max(mag(s.u - cloud_.meshVelocity())/type.bodyRadii());

@@ -25,8 +25,9 @@ for number in numbers:
 STEP = 0.5      # ms
 SPHERES = 10            # of a red cell
 MESH_CELLS = 41*27*27   # of the shear box
-dense = read("haematocrits.csv")
-at_one_speed(dense, "cpu_ms_per_step")
+runs = read("haematocrits.csv")
+at_one_speed(runs, "cpu_ms_per_step")
+dense = [row for row in runs if row["type"] == "healthy"]
 results.report("unit case", dense[0]["unit_s"], "s", "how fast the machine is")
 for row in dense:
     name = f"haematocrit {100*row['haematocrit']:g} %"
@@ -42,6 +43,14 @@ for row in dense:
     results.report(f"{name}: work of a sphere in mesh cells",
                    clumps/(row["cells"]*SPHERES)/(row["flow_percent"]/MESH_CELLS), "-",
                    "time breakdown")
+for other in runs:
+    if other["type"] != "healthy":
+        own = next(row for row in dense if row["haematocrit"] == other["haematocrit"])
+        ratio = own["cpu_ms_per_step"]/own["cells"]/(other["cpu_ms_per_step"]/other["cells"])
+        name = f"haematocrit {100*own['haematocrit']:g} %, {other['type']}"
+        results.report(f"{name}: outer correctors", other["correctors"], "-", "mean")
+        results.report(f"{name}: time of healthy over its, per red cell", ratio, "-",
+                       "ExecutionTime, the same mesh")
 few, many = dense[0], dense[-1]
 results.report("memory per cell", 1024*(many["memory_MB"] - few["memory_MB"])
                / (many["cells"] - few["cells"]), "kB", "largest resident set, same mesh")

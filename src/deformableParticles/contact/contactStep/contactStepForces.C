@@ -290,5 +290,5 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
             }
         }
     }
-    return returnReduce(part, minOp<scalar>());
+    return part;
 }

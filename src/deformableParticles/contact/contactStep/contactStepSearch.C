@@ -62,6 +62,7 @@ void Foam::contactStep::find
     span_ = dt;
     dt_ = dt;
     slack_ = slack;
+    leastEigenvalue = 0;
 
     clumps_.setSize(clumps.size());
     label index = 0;

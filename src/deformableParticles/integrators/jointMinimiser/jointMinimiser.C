@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "jointMinimiser.H"
+#include "foamCompat.H"
 #include "newtonMinimiser.H"
 #include "PstreamReduceOps.H"
 
@@ -30,7 +31,8 @@ Foam::jointMinimiser::jointMinimiser
     maxIterations_(maxIterations),
     potentials_(group.members().size()),
     tangents_(potentials_.size()),
-    sums_(Zero),
+    sums_(scalar(0)),
+    found_(scalar(0)),
     contacts_(potentials_.size()),
     sinceThen_(potentials_.size()),
     moved_(potentials_.size(), GREAT),
@@ -55,7 +57,7 @@ Foam::jointMinimiser::jointMinimiser
         (
             Eigen::VectorXd::Zero(6*member.start->x.size())
         );
-        for (motions* list : {&g_, &d_, &r_, &z_, &p_, &Kp_})
+        for (motions* list : {&g_, &d_, &r_, &z_, &p_, &Kp_, &Ap_})
         {
             list->push_back(none);
         }
@@ -63,32 +65,22 @@ Foam::jointMinimiser::jointMinimiser
 }
 
 
-Foam::scalar Foam::jointMinimiser::dot
-(
-    const motions& a,
-    const motions& b
-) const
-{
-    scalar sum = 0;
-    forAll(potentials_, m)
-    {
-        sum += a[m].dot(b[m]);
-    }
-    return returnReduce(sum, sumOp<scalar>());
-}
-
-
 void Foam::jointMinimiser::evaluate()
 {
     group_.evaluate();
 
-    sums_ = Zero;
+    sums_ = scalar(0);
     forAll(potentials_, m)
     {
         const scalar W = potentials_[m].value(state(m), &g_[m]);
-        sums_ += vector(W, sqr(newtonMinimiser::size(type(m), g_[m])), mag(W));
+        sums_[ofPotentials] += W;
+        sums_[ofMagnitudes] += mag(W);
+        sums_[ofGradients] += sqr(newtonMinimiser::size(type(m), g_[m]));
+        sums_[slope] += g_[m].dot(d_[m]);
     }
-    reduce(sums_, sumOp<vector>());
+    sums_[largest] = lastStep_;
+    reduceWhole(sums_, sumsAndLargest());
+    lastStep_ = sums_[largest];
 }
 
 
@@ -120,91 +112,14 @@ void Foam::jointMinimiser::updateTangent(const label m)
 }
 
 
-bool Foam::jointMinimiser::factorise()
+bool Foam::jointMinimiser::converged() const
 {
-    bool any = false;
-    forAll(tangents_, m)
+    scalar own = 0;
+    forAll(z_, m)
     {
-        updateTangent(m);
-        r_[m] = -g_[m];
-        z_[m] = r_[m];
-        tangents_[m].solve(z_[m]);
-
-        any = any || newtonMinimiser::largest(type(m), z_[m]) > tolerance_;
-        d_[m].setZero();
-        p_[m] = z_[m];
-        Kp_[m] = r_[m];
+        own = max(own, newtonMinimiser::largest(type(m), z_[m]));
     }
-    nSolves_ += tangents_.size();
-    return returnReduce(any, orOp<bool>());
-}
-
-
-void Foam::jointMinimiser::addSinceThen(const motions& p, motions& Ap) const
-{
-    forAll(sinceThen_, m)
-    {
-        forAll(sinceThen_[m], i)
-        {
-            const auto move = p[m].segment<3>(6*i);
-            const vector force
-            (
-                sinceThen_[m][i] & vector(move.x(), move.y(), move.z())
-            );
-            Ap[m].segment<3>(6*i) +=
-                Eigen::Vector3d(force.x(), force.y(), force.z());
-        }
-    }
-}
-
-
-void Foam::jointMinimiser::findStep()
-{
-    // Energy of the step that remains, relative to that of the first: a hundredth of the
-    // step, as with a tangent that is kept
-    const scalar remains = 1e-4;
-    const label maxDirections = 200;
-
-    const scalar first = dot(r_, z_);
-    scalar rz = first;
-    motions Ap(Kp_);
-
-    for (label n = 0; n < maxDirections; ++n)
-    {
-        Ap = Kp_;
-        group_.couple(p_, Ap);
-        addSinceThen(p_, Ap);
-        const scalar curvature = dot(p_, Ap);
-
-        if (curvature <= SMALL*rz)
-        {
-            if (n == 0)
-            {
-                d_ = p_;
-            }
-            return;
-        }
-        const scalar a = rz/curvature;
-        forAll(tangents_, m)
-        {
-            d_[m] += a*p_[m];
-            r_[m] -= a*Ap[m];
-            z_[m] = r_[m];
-            tangents_[m].solve(z_[m]);
-        }
-        const scalar next = dot(r_, z_);
-        if (next <= remains*first)
-        {
-            return;
-        }
-        const scalar b = next/rz;
-        rz = next;
-        forAll(tangents_, m)
-        {
-            p_[m] = z_[m] + b*p_[m];
-            Kp_[m] = r_[m] + b*Kp_[m];
-        }
-    }
+    return !(returnReduce(-own, minOp<scalar>()) < -tolerance_);
 }
 
 
@@ -216,14 +131,14 @@ void Foam::jointMinimiser::takeStep()
         before[m].x = state(m).x;
         before[m].q = state(m).q;
     }
-    const vector sums0(sums_);
-    const scalar rounding = 1e-10*sums0.z();
-    const scalar slope0 = mag(dot(g_, d_));
+    const together sums0(sums_);
+    const scalar rounding = 1e-10*sums0[ofMagnitudes];
+    const scalar slope0 = mag(found_[slope]);
 
     // A contact that begins is not in the tangent: where the step goes too far, the
     // minimum along it lies in the contact
     scalar low = 0;
-    scalar high = group_.passable(d_);
+    scalar high = -found_[largest];
     scalar part = high;
 
     const scalarList movedBefore(moved_);
@@ -239,28 +154,27 @@ void Foam::jointMinimiser::takeStep()
             moved_[m] = movedBefore[m] + moved;
             lastStep_ = max(lastStep_, moved);
         }
-        reduce(lastStep_, maxOp<scalar>());
         evaluate();
 
         // Close to the minimum the sum changes by rounding and by what its gradient leaves
         // out, while the gradient still falls
-        const scalar slope = dot(g_, d_);
+        const scalar change = sums_[ofPotentials] - sums0[ofPotentials];
         if
         (
             (
-                sums_.x() <= sums0.x()
-             && (attempt > 30 || mag(slope) < 0.5*slope0)
+                change <= 0
+             && (attempt > 30 || mag(sums_[slope]) < 0.5*slope0)
             )
          || lastStep_ <= tolerance_
          || (
-                (sums_.x() <= sums0.x() + rounding || lastStep_ < close)
-             && sums_.y() < 0.25*sums0.y()
+                (change <= rounding || lastStep_ < close)
+             && sums_[ofGradients] < 0.25*sums0[ofGradients]
             )
         )
         {
             return;
         }
-        const bool far = slope > 0 || sums_.x() > sums0.x();
+        const bool far = sums_[slope] > 0 || change > 0;
         (far ? high : low) = part;
         part = 0.5*(low + high);
     }
@@ -270,8 +184,8 @@ void Foam::jointMinimiser::takeStep()
 void Foam::jointMinimiser::predict(const motions& steps)
 {
     evaluate();
-    const scalar before = sums_.x();
-    const scalar part = group_.passable(steps);
+    const scalar before = sums_[ofPotentials];
+    const scalar part = returnReduce(group_.passable(steps), minOp<scalar>());
 
     const auto start = [&](const scalar fraction)
     {
@@ -289,7 +203,7 @@ void Foam::jointMinimiser::predict(const motions& steps)
     };
     start(part);
     evaluate();
-    if (sums_.x() > before)
+    if (sums_[ofPotentials] > before)
     {
         start(0);
     }
@@ -301,7 +215,16 @@ bool Foam::jointMinimiser::minimise()
     evaluate();
     for (label n = 0; n < maxIterations_; ++n)
     {
-        if (!factorise())
+        forAll(tangents_, m)
+        {
+            updateTangent(m);
+        }
+        nSolves_ += tangents_.size();
+        beginStep();
+
+        // A step reduces the distance from the minimum by less than this
+        const bool near = n == 0 || lastStep_ < 1000*tolerance_;
+        if (near && converged())
         {
             return true;
         }

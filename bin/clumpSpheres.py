@@ -1,15 +1,18 @@
-"""Reads the spheres that the function object vtkClumps has written to VTK/clumps, whole (.vtp) or
-in a piece per processor (.pvtp).
+"""Reads the spheres and the surfaces of membranes that the function object vtkClumps has written to
+VTK/clumps, whole (.vtp) or in a piece per processor (.pvtp).
 
-    from clumpSpheres import drawSpheres, frames, spheres, typeNames
+    from clumpSpheres import drawSpheres, frames, membranes, spheres, typeNames
     time, path = frames("case")[-1]
     s = spheres(path)
     s["x"], s["radius"], s["U"]         # arrays, one row per sphere, SI units
     typeNames(path)[int(s["type"][0])]  # name of the type of the first sphere
+    m = membranes(path)                 # nodes of the same time, the same arrays without a radius
+    m["x"][m["triangles"]]              # corners of the triangles
 """
 
 import json
 import os
+import re
 import sys
 from xml.etree import ElementTree
 
@@ -24,6 +27,16 @@ TYPE_COLOURS = {
 def hasFluid(case):
     """Whether the case has a fluid; without one its mesh may be any size."""
     return os.path.exists(os.path.join(case, "constant", "transportProperties"))
+
+
+def gravity(case):
+    """The components of constant/g, zero without it."""
+    path = os.path.join(case, "constant", "g")
+    found = None
+    if os.path.exists(path):
+        with open(path) as file:
+            found = re.search(r"^\s*value\s*\(([^)]*)\)", file.read(), re.M)
+    return [float(word) for word in found.group(1).split()] if found else [0.0]*3
 
 
 def typeColour(kind):
@@ -81,6 +94,23 @@ def spheres(path):
     result["x"] = vtk_to_numpy(data.GetPoints().GetData()).astype(float) \
         if data.GetNumberOfPoints() else np.empty((0, 3))
     return result
+
+
+def membranes(path):
+    """Nodes `x`, corners `triangles` and every array of the membranes at the time of a file of
+    spheres, without rows where there are none."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    folder, name = os.path.split(path)
+    path = os.path.join(folder, name.replace("spheres", "membranes"))
+    result = {"x": np.empty((0, 3))}
+    if os.path.exists(path):
+        result = spheres(path)
+    if not len(result["x"]):
+        return {"x": result["x"], "triangles": np.empty((0, 3), dtype=int), "clump": np.empty(0),
+                "type": np.empty(0), "U": np.empty((0, 3))}
+    corners = vtk_to_numpy(read(path).GetPolys().GetConnectivityArray())
+    return {**result, "triangles": corners.reshape(-1, 3)}
 
 
 def drawSpheres(axes, path):

@@ -111,6 +111,11 @@ void Foam::functionObjects::vtkClumps::collect
     forAll(cloud.types(), i)
     {
         all.spheres.texts[i] = cloud.types()[i].name();
+        all.hasMembranes = all.hasMembranes || cloud.types()[i].hasSurface();
+    }
+    if (all.hasMembranes)
+    {
+        collectMembranes(cloud, all.membranes);
     }
 
     all.bonds.kind = vtkSeries::lines;
@@ -125,7 +130,6 @@ bool Foam::functionObjects::vtkClumps::write()
     const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
     frame now;
     collect(cloud, now);
-    writeMembranes(cloud);
     write(now);
     return true;
 }
@@ -155,28 +159,22 @@ void Foam::functionObjects::vtkClumps::write(const frame& all)
 {
     write(spheres_, all.index, all.time, all.spheres);
     write(bonds_, all.index, all.time, all.bonds);
+    if (all.hasMembranes)
+    {
+        write(membranes_, all.index, all.time, all.membranes);
+    }
 }
 
 
-void Foam::functionObjects::vtkClumps::writeMembranes
+void Foam::functionObjects::vtkClumps::collectMembranes
 (
-    const deformableCloud& cloud
+    const deformableCloud& cloud,
+    vtkSeries::polyData& data
 )
 {
-    bool some = false;
-    for (const clumpType& type : cloud.types())
-    {
-        some = some || type.hasSurface();
-    }
-    if (!some)
-    {
-        return;
-    }
-
-    vtkSeries::polyData data;
     data.kind = vtkSeries::triangles;
     DynamicList<vector> velocities, forces;
-    DynamicList<scalar> clumps;
+    DynamicList<scalar> clumps, types;
     for (const clumpParcel& p : cloud)
     {
         const clumpType& type = cloud.type(p);
@@ -189,6 +187,7 @@ void Foam::functionObjects::vtkClumps::writeMembranes
         velocities.append(p.state().u);
         forces.append(-p.fluidForces());
         clumps.append(scalarField(type.size(), p.origId()));
+        types.append(scalarField(type.size(), p.typeId()));
         for (const triFace& t : type.surface().triangles())
         {
             for (const label i : t)
@@ -197,7 +196,6 @@ void Foam::functionObjects::vtkClumps::writeMembranes
             }
         }
     }
-    data.scalars = {{"clump", clumps}};
+    data.scalars = {{"clump", clumps}, {"type", types}};
     data.vectors = {{"U", velocities}, {"force", forces}};
-    write(membranes_, time_.timeIndex(), time_.value(), data);
 }

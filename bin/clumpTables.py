@@ -15,10 +15,11 @@ ends with the names there are.
 The tables of this library have the names in the first line that is not a comment. Those of OpenFOAM
 have them in the last comment line; a value in parentheses below `volAverage(U)` has the names
 `volAverage(U) x` and so on, and `Time` is `time`. A table of a restart replaces the rows of
-the runs before after the time at which it has started; rows that rbcIbFoam -postProcess adds for
-earlier times are left out.
+the runs before after the time at which it has started; of those of rbcIbFoam -postProcess only the
+rows of further times count.
 """
 
+import bisect
 import os
 import re
 import signal
@@ -74,10 +75,28 @@ def parse(path):
     return list(own(lines) if named else foreign(lines))
 
 
+def ofLaterUse(path):
+    """Whether rbcIbFoam -postProcess has written a table."""
+    with open(path) as file:
+        return file.readline().startswith("# Written by rbcIbFoam -postProcess")
+
+
+def joined(rows, more):
+    """Rows, and of more of them those of further times, in the order of time."""
+    times = sorted({float(r["time"]) for r in rows})
+
+    def known(time):
+        k = bisect.bisect(times, time)
+        return any(abs(t - time) <= 1e-9*abs(time) for t in times[max(k - 1, 0):k + 1])
+
+    return sorted(rows + [r for r in more if not known(float(r["time"]))],
+                  key=lambda r: float(r["time"]))
+
+
 def texts(case, name, **wanted):
     """Rows of a table, of all its starts; wanted: clump=0, type="bead"."""
     folder = os.path.join(case, "postProcessing", name)
-    rows = []
+    rows, later = [], []
     if not os.path.isdir(folder):
         there = os.path.dirname(folder)
         sys.exit(f"There is no table {name} in {case}; there are "
@@ -87,12 +106,17 @@ def texts(case, name, **wanted):
             os.path.join(folder, start))]
         for file in sorted(files, key=os.path.getmtime):
             more = parse(file)
+            if ofLaterUse(file):
+                later += more
+                continue
             if rows:
-                # -postProcess writes rows of earlier times, too
+                # Tables of OpenFOAM do not say that -postProcess has written them
                 more = [r for r in more if float(r["time"]) > (1 + 1e-9)*float(start)]
             if more:
                 rows = [r for r in rows if float(r["time"]) < (1 + 1e-9)*float(start)]
             rows += more
+    if later:
+        rows = joined(rows, joined([], later))
     for key, value in wanted.items():
         if rows and key not in rows[0]:
             sys.exit(f"The table {name} in {case} has no column {key}: its rows are not of clumps")

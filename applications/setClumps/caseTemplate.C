@@ -216,7 +216,36 @@ bool Foam::caseTemplate::checkFluid() const
                 << " glycerine: 1e-3). Is it in another unit?" << endl;
         }
     }
+    if (!transport.found("transportModel"))
+    {
+        IOWarningInFunction(transport)
+            << "There is no transportModel; rbcIbFoam needs the line" << nl
+            << "    transportModel Newtonian;" << endl;
+    }
     return transport.found("rho");
+}
+
+
+void Foam::caseTemplate::writeHeader(Ostream& os, const word& object)
+{
+    os  << "FoamFile" << nl << '{' << nl
+        << "    version     2.0;" << nl << "    format      ascii;" << nl
+        << "    class       dictionary;" << nl << "    object      " << object << ';'
+        << nl << '}' << nl << nl;
+}
+
+
+void Foam::caseTemplate::writeTurbulence() const
+{
+    const fileName folder(mesh_.time().constantPath());
+    const fileName file(folder/"turbulenceProperties");
+    if (isFile(folder/"transportProperties") && !isFile(file))
+    {
+        OFstream os(file);
+        writeHeader(os, "turbulenceProperties");
+        os << "simulationType laminar;" << nl;
+        Info<< "Wrote " << file.c_str() << ", which was missing: laminar" << nl;
+    }
 }
 
 
@@ -281,12 +310,11 @@ void Foam::caseTemplate::write(const bool overwrite) const
     const bool hasDensity = checkFluid();
     adviseTimeStep(type);
 
+    writeTurbulence();
+
     OFstream os(file);
-    os  << "FoamFile" << nl << '{' << nl
-        << "    version     2.0;" << nl << "    format      ascii;" << nl
-        << "    class       dictionary;" << nl << "    object      clumpProperties;"
-        << nl << '}' << nl << nl
-        << "// Entries that are absent are the accurate choices:" << nl
+    writeHeader(os, "clumpProperties");
+    os  << "// Entries that are absent are the accurate choices:" << nl
         << "// doc/models/clumpProperties.md lists all" << nl << nl
         << "types" << nl << '{' << nl << "    " << name_ << nl << "    {" << nl;
     if (source_.empty())

@@ -205,6 +205,52 @@ Foam::scalar Foam::stressOfShear(const membraneMechanics& membrane)
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+//- Warn where a mesh cell is too large for the spheres of a type
+void warnOfCoarseMesh(const deformableCloud& cloud, const fvMesh& mesh)
+{
+    const scalarField width(Foam::cbrt(mesh.V().field()));
+    const scalar largest = gMax(width);
+    point place(-vector::max);
+    if (width.size() && max(width) == largest)
+    {
+        place = mesh.C()[findMax(width)];
+    }
+    reduce(place, maxOp<point>());
+    for (const clumpType& type : cloud.types())
+    {
+        const scalar r = min(type.radii());
+        if (!type.fixed() && !type.hasSurface() && r < 0.999*largest)
+        {
+            IOWarningInFunction(getDict(cloud.properties(), "types"))
+                << "The mesh has less than two mesh cells across the smallest sphere of"
+                << " type " << type.name() << ", of radius " << r << " m, in some"
+                << " places: " << 2*r/largest << " at " << place << ". The run stops"
+                << " where such a sphere gets there. Refine the mesh." << endl;
+        }
+    }
+}
+
+
+//- Warn of the density of a gas with the viscosity of a liquid
+void warnOfDensity(const scalar rho, const scalar nu, const dictionary& properties)
+{
+    if (rho > 0.5 && rho < 2 && nu > 1e-7 && nu < 5e-6)
+    {
+        IOWarningInFunction(properties)
+            << "The density of the fluid is " << rho << " kg/m3, that of a gas, with the"
+            << " kinematic viscosity of a liquid, " << nu << " m2/s. Is it in g/cm3?"
+            << " All units are SI." << endl;
+    }
+}
+
+}
+
+
 void Foam::reportScales(const deformableCloud& cloud)
 {
     const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
@@ -244,6 +290,11 @@ void Foam::reportScales(const deformableCloud& cloud)
         return;
     }
     const scalar rho = cloud.fluidDensity();
+    warnOfDensity(rho, viscosity(transportProperties(mesh)), cloud.properties());
+    if (!cloud.effects().active("refinement"))
+    {
+        warnOfCoarseMesh(cloud, mesh);
+    }
     Info<< "Densities: clumps "
         << range(densities.first(), densities.second()).c_str() << " kg/m3, fluid "
         << rho << " kg/m3; viscosity of the fluid "

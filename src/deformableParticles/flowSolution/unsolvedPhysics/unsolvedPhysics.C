@@ -65,7 +65,22 @@ const fixedSwitch fixedSwitches[] =
 
 void Foam::unsolvedPhysics::refuse(const fvMesh& mesh)
 {
+    const IOdictionary transport(constantFile(mesh, "transportProperties"));
+    if (!transport.found("transportModel"))
+    {
+        FatalIOErrorInFunction(transport)
+            << "Entry 'transportModel' is missing (cases of icoFoam have none). Add"
+            << " the line" << nl << "    transportModel Newtonian;"
+            << exit(FatalIOError);
+    }
     const IOdictionary turbulence(constantFile(mesh, "turbulenceProperties"));
+    if (turbulence.empty())
+    {
+        FatalErrorInFunction
+            << "There is no " << turbulence.objectPath() << " (cases of icoFoam have"
+            << " none). Write it with the header of another dictionary and the line"
+            << nl << "    simulationType laminar;" << exit(FatalError);
+    }
     const word simulation
     (
         turbulence.getOrDefault<word>("simulationType", "laminar")

@@ -37,8 +37,8 @@ Foam::functionObjects::clumpForce::header() const
        .addVector("F", "N").addVector("T", "N.m")
        .addVector("", "m").addVector("U", "m/s")
        .add("drag", "N").add("lift", "N")
-       .explain("Fx Fy Fz Tx Ty Tz", "force of the fluid, and its torque about the centre"
-            " of mass")
+       .explain("Fx Fy Fz Tx Ty Tz", "force of the fluid without that of the pressure at"
+            " rest (buoyancy), and its torque about the centre of mass")
        .explain("x y z Ux Uy Uz", "position and velocity of the centre of mass")
        .explain("drag lift", "force along flow and gradient");
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tableFile.H"
+#include "functionObject.H"
 
 Foam::Ostream& Foam::functionObjects::tableFile::open
 (
@@ -15,6 +16,10 @@ Foam::Ostream& Foam::functionObjects::tableFile::open
         resetFile(fileName_);
         // writeFile pads the first word
         file().width(0);
+        if (functionObject::postProcess)
+        {
+            file() << "# Written by rbcIbFoam -postProcess" << nl;
+        }
         header.write(file());
     }
     return file();

@@ -7,6 +7,12 @@
 #include "jointMinimiser.H"
 #include "newtonMinimiser.H"
 
+namespace
+{
+    //- Last step of Newton's method that needs no warning, in sphere radii
+    constexpr Foam::scalar harmless = 1e-6;
+}
+
 namespace Foam
 {
 namespace integrators
@@ -48,7 +54,7 @@ void Foam::integrators::implicitEuler::advance
     }
 
     newtonMinimiser newton(tolerance_, maxIterations_);
-    if (!newton.minimise(potential, s))
+    if (!newton.minimise(potential, s) && newton.lastStep() > harmless)
     {
         WarningInFunction
             << "Newton's method did not converge for a clump of type "
@@ -102,7 +108,7 @@ Foam::label Foam::integrators::implicitEuler::advance
     {
         converged = newton.minimise();
     }
-    if (!converged && Pstream::master())
+    if (!converged && newton.lastStep() > harmless && Pstream::master())
     {
         WarningInFunction
             << "Newton's method did not converge for the clumps that touch each"

@@ -78,9 +78,10 @@ for run in main:
 # Mesh and time step
 audits = [run for run in runs if run["way_D"] < longest]
 if audits:
-    base, half, fine = audits
+    base, half, fine, finest = audits
     results.change("half the time step: change of the viscosity", half, base, "muRel", 0.03)
     results.change("D/dx 4: change of the viscosity", fine, base, "muRel", 0.05)
+    results.change("D/dx 6: change of the viscosity", finest, base, "muRel", 0.05)
 
 # The layer is thinner at a higher haematocrit, and thicker in a wider tube
 tubes = sorted((run for run in main if run["D_um"] == 20), key=lambda run: run["H"])

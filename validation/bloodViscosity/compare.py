@@ -67,7 +67,8 @@ for H in sorted({run["H"] for run in main}):
 for name, limit, chosen in (
         ("half the time step", 0.03, lambda run: steps(run) == 20),
         ("D/dx 3", 0.05, lambda run: run["D_dx"] == 3),
-        ("D/dx 4", 0.05, lambda run: run["D_dx"] == 4)):
+        ("D/dx 4", 0.05, lambda run: run["D_dx"] == 4),
+        ("D/dx 6", 0.05, lambda run: run["D_dx"] == 6)):
     for run in filter(chosen, runs):
         base = next(other for other in main
                     if other["H"] == run["H"] and other["rate"] == run["rate"])

@@ -129,9 +129,16 @@ void Foam::refuseUnread
 )
 {
     const word meant(nearestName(key, known));
+    const entry* e = dict.findEntry(key, keyType::LITERAL);
     FatalIOErrorInFunction(dict)
-        << "Unknown entry '" << key << "' in dictionary " << dict.name()
-        << ": nothing reads it.";
+        << "Unknown entry '" << key << "'";
+    if (e)
+    {
+        // Of the file that holds it, which dict may include
+        FatalIOError << " (line " << e->startLineNumber() << ')';
+    }
+    FatalIOError
+        << " in dictionary " << dict.name() << ": nothing reads it.";
     if (!meant.empty())
     {
         FatalIOError << " Did you mean '" << meant << "'?";

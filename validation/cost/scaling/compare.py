@@ -9,8 +9,8 @@ LATENCY = 2e-6          # of a message [s]
 BANDWIDTH = 0.4e9       # of a rank [B/s]
 
 # validation/cost/suspension: processor time of a step per red cell [s], slow machine
-CPU = {0.20: 7.8e-3, 0.45: 7.4e-3}
-CORRECTORS = {0.20: 3.4, 0.45: 5.0}     # outer ones, of such a step
+CPU = {0.20: 7.7e-3, 0.45: 6.7e-3}
+CORRECTORS = {0.20: 4.7, 0.45: 6.8}     # outer ones, of such a step
 HERE = 4                                # the same in these runs
 PER_RANK = 8            # red cells here
 LARGE = 4096, 1e5       # ranks, red cells

@@ -85,9 +85,13 @@ def typeNames(path):
 
 def spheres(path):
     """Centres `x` and every array of a file by name, without rows where there are no spheres."""
+    return arrays(read(path))
+
+
+def arrays(data):
+    """Points `x` and every array of a data set by name."""
     import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    data = read(path)
     point = data.GetPointData()
     result = {point.GetArrayName(k): vtk_to_numpy(point.GetArray(k))
               for k in range(point.GetNumberOfArrays())}
@@ -103,14 +107,12 @@ def membranes(path):
     from vtkmodules.util.numpy_support import vtk_to_numpy
     folder, name = os.path.split(path)
     path = os.path.join(folder, name.replace("spheres", "membranes"))
-    result = {"x": np.empty((0, 3))}
-    if os.path.exists(path):
-        result = spheres(path)
-    if not len(result["x"]):
-        return {"x": result["x"], "triangles": np.empty((0, 3), dtype=int), "clump": np.empty(0),
-                "type": np.empty(0), "U": np.empty((0, 3))}
-    corners = vtk_to_numpy(read(path).GetPolys().GetConnectivityArray())
-    return {**result, "triangles": corners.reshape(-1, 3)}
+    data = read(path) if os.path.exists(path) else None
+    if data is None or not data.GetNumberOfPoints():
+        return {"x": np.empty((0, 3)), "triangles": np.empty((0, 3), dtype=int),
+                "clump": np.empty(0), "type": np.empty(0), "U": np.empty((0, 3))}
+    corners = vtk_to_numpy(data.GetPolys().GetConnectivityArray())
+    return {**arrays(data), "triangles": corners.reshape(-1, 3)}
 
 
 def drawSpheres(axes, path):

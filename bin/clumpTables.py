@@ -82,7 +82,7 @@ def ofLaterUse(path):
 
 
 def joined(rows, more):
-    """Rows, and of more of them those of further times, in the order of time."""
+    """Rows, and of more rows those of further times, in the order of time."""
     times = sorted({float(r["time"]) for r in rows})
 
     def known(time):
@@ -107,7 +107,7 @@ def texts(case, name, **wanted):
         for file in sorted(files, key=os.path.getmtime):
             more = parse(file)
             if ofLaterUse(file):
-                later += more
+                later = joined(more, later)
                 continue
             if rows:
                 # Tables of OpenFOAM do not say that -postProcess has written them
@@ -116,7 +116,7 @@ def texts(case, name, **wanted):
                 rows = [r for r in rows if float(r["time"]) < (1 + 1e-9)*float(start)]
             rows += more
     if later:
-        rows = joined(rows, joined([], later))
+        rows = joined(rows, later)
     for key, value in wanted.items():
         if rows and key not in rows[0]:
             sys.exit(f"The table {name} in {case} has no column {key}: its rows are not of clumps")

@@ -8,6 +8,7 @@ HtHd_twofluid of the targets for an even core, and not less than (1 + sqrt(1 - 1
 a rigid one. With the radius x of the core over that of the tube and m = 1 - 1/muRel, the flow is
 proportional to 1 - m, the velocity of a rigid core to 2 (1 - x^2), and m = x^4."""
 
+from blood import wide_tubes
 from results import Results, find, plt, read, save
 
 runs = read("data.csv")
@@ -27,11 +28,6 @@ def target(run):
     """The row of the diameter and haematocrit, as every table value has one."""
     return next(row for row in targets
                 if row["D_um"] == run["D_um"] and abs(row["Ht"] - run["H"]) < 1e-6)
-
-
-def bulk(H):
-    """Relative viscosity of blood in large tubes (the same source)."""
-    return 1 + 2.2*((1 - H)**-0.8 - 1)/(0.55**-0.8 - 1)
 
 
 def rigid_core(muRel):
@@ -57,7 +53,7 @@ for run in main:
         results.report(f"{name}: the same of a rigid core", rigid_core(goal["mu_rel"]), "-",
                        "least of the two-fluid model with the viscosity of Pries et al.")
     else:
-        low, high = goal["mu_rel"], bulk(run["H"])
+        low, high = goal["mu_rel"], wide_tubes(run["H"])
         results.add(f"{name}, {run['way_D']:g} diameters of way: relative viscosity", run["muRel"],
                     "-", (low + high)/2, round((high - low)/2 + 0.1*high, 4),
                     "between the tube and blood without a wall layer, and 10 %")
@@ -112,7 +108,7 @@ for panel, key, goal, label in ((axes[0], "muRel", "mu_rel", "relative viscosity
     panel.set_ylabel(label)
     panel.legend()
 H = [0.05*k for k in range(10)]
-axes[0].plot(H, [bulk(h) for h in H], "k--", lw=1, label="large tubes")
+axes[0].plot(H, [wide_tubes(h) for h in H], "k--", lw=1, label="large tubes")
 axes[0].legend()
 save(figure, "bloodTube.png")
 results.write()

@@ -1,10 +1,10 @@
 """Blood in shear: the relative viscosity lies between that in wide tubes at high shear, without
 aggregation (Pries et al. 1992), and the smaller one of two fits to whole blood (Quemada)."""
 
-from results import QUICK, Results, find, plt, read, save
+from blood import fits, whole_blood, wide_tubes
+from results import QUICK, Results, plt, read, save
 
 runs = read("data.csv")
-fits = read(find("reference/bulk_viscosity_vs_shear.csv"))
 results = Results()
 RADIUS = 3.8e-6         # of a red cell [m]
 UNION = 60.05e-18       # volume of its ten spheres [m3]
@@ -16,18 +16,6 @@ if QUICK:
     KNOWN = {(0.2, 200): 1.65866}   # means over shorter times
 
 
-def high_shear(H):
-    """Relative viscosity in wide tubes (Pries et al. 1992)."""
-    return 1 + 2.2*((1 - H)**-0.8 - 1)/(0.55**-0.8 - 1)
-
-
-def whole_blood(H, rate):
-    """The fit of Quemada."""
-    row = next(row for row in fits
-               if row["H"] == H and row["shear_1_per_s"] == rate)
-    return row["mu_rel_quemada"]
-
-
 def steps(run):
     """Per unit of strain."""
     return round(1/(run["rate"]*run["deltaT_s"]))
@@ -36,7 +24,7 @@ def steps(run):
 main = [run for run in runs if run["D_dx"] == 3.2 and steps(run) == 10]
 for run in main:
     name = f"{100*run['H']:g} %, {run['rate']:g} 1/s"
-    low, high = high_shear(run["H"]), whole_blood(run["H"], run["rate"])
+    low, high = wide_tubes(run["H"]), whole_blood(run["H"], run["rate"])
     results.add(f"{name}: relative viscosity", run["muRel"], "-", (low + high)/2,
                 round((high - low)/2, 4), "wide tubes at high shear (Pries) to Quemada",
                 KNOWN.get((run["H"], run["rate"])))
@@ -76,9 +64,9 @@ for name, limit, chosen in (
 
 figure, axes = plt.subplots()
 for k, H in enumerate(sorted({run["H"] for run in main})):
-    rows = [row for row in fits if row["H"] == H and row["shear_1_per_s"] >= 50]
+    rows = [row for row in fits() if row["H"] == H and row["shear_1_per_s"] >= 50]
     rate = [row["shear_1_per_s"] for row in rows]
-    axes.fill_between(rate, [high_shear(H)]*len(rate), [whole_blood(H, r) for r in rate],
+    axes.fill_between(rate, [wide_tubes(H)]*len(rate), [whole_blood(H, r) for r in rate],
                       color=f"C{k}", alpha=0.2, lw=0)
     own = [run for run in main if run["H"] == H]
     axes.errorbar([run["rate"] for run in own], [run["muRel"] for run in own],

@@ -1,14 +1,13 @@
 """Blood of membranes in shear against the narrow band of bloodViscosity, its change with the mesh,
 and the processor time of a red cell beside that of a ring."""
 
-from results import QUICK, Results, find, read
+from blood import whole_blood, wide_tubes
+from results import QUICK, Results, read
 
 runs = read("data.csv")
-fits = read(find("../bloodViscosity/reference/bulk_viscosity_vs_shear.csv"))
 results = Results()
 H, RATE = 0.3, 200
-LOW = 1 + 2.2*((1 - H)**-0.8 - 1)/(0.55**-0.8 - 1)      # wide tubes, Pries et al. 1992
-HIGH = next(row["mu_rel_quemada"] for row in fits if (row["H"], row["shear_1_per_s"]) == (H, RATE))
+LOW, HIGH = wide_tubes(H), whole_blood(H, RATE)
 
 # Misses that the README explains, by mesh cell [um]
 KNOWN = {1: 2.98602}

@@ -95,6 +95,50 @@ scalar givenSpeed(const dictionary& clumpProperties)
     return result;
 }
 
+
+//- Warn where a mesh cell is too large for the spheres of a type
+void warnOfCoarseMesh(const deformableCloud& cloud, const fvMesh& mesh)
+{
+    const scalarField width(Foam::cbrt(mesh.V().field()));
+    const scalar largest = gMax(width);
+    const bool isHere = width.size() && max(width) == largest;
+    const label owner = returnReduce
+    (
+        isHere ? Pstream::myProcNo() : labelMax, minOp<label>()
+    );
+    point place(Zero);
+    if (owner == Pstream::myProcNo())
+    {
+        place = mesh.C()[findMax(width)];
+    }
+    reduce(place, sumOp<point>());
+    for (const clumpType& type : cloud.types())
+    {
+        const scalar r = min(type.radii());
+        if (!type.fixed() && !type.hasSurface() && r < 0.999*largest)
+        {
+            IOWarningInFunction(getDict(cloud.properties(), "types"))
+                << "The mesh has less than two mesh cells across the smallest sphere of"
+                << " type " << type.name() << ", of radius " << r << " m, in some"
+                << " places: " << 2*r/largest << " at " << place << ". The run stops"
+                << " where such a sphere gets there. Refine the mesh." << endl;
+        }
+    }
+}
+
+
+//- Warn of the density of a gas with the viscosity of a liquid
+void warnOfDensity(const scalar rho, const scalar nu, const dictionary& properties)
+{
+    if (rho > 0.5 && rho < 2 && nu > 1e-7 && nu < 5e-6)
+    {
+        IOWarningInFunction(properties)
+            << "The density of the fluid is " << rho << " kg/m3, that of a gas, with the"
+            << " kinematic viscosity of a liquid, " << nu << " m2/s. Is it in g/cm3?"
+            << " All units are SI." << endl;
+    }
+}
+
 }
 
 
@@ -202,52 +246,6 @@ Foam::scalar Foam::stressOfShear(const membraneMechanics& membrane)
             3*sqr(Foam::log(stretch))
            *membrane.surface().volume(membrane.stressFree())
         );
-}
-
-
-namespace
-{
-
-using namespace Foam;
-
-//- Warn where a mesh cell is too large for the spheres of a type
-void warnOfCoarseMesh(const deformableCloud& cloud, const fvMesh& mesh)
-{
-    const scalarField width(Foam::cbrt(mesh.V().field()));
-    const scalar largest = gMax(width);
-    point place(-vector::max);
-    if (width.size() && max(width) == largest)
-    {
-        place = mesh.C()[findMax(width)];
-    }
-    reduce(place, maxOp<point>());
-    for (const clumpType& type : cloud.types())
-    {
-        const scalar r = min(type.radii());
-        if (!type.fixed() && !type.hasSurface() && r < 0.999*largest)
-        {
-            IOWarningInFunction(getDict(cloud.properties(), "types"))
-                << "The mesh has less than two mesh cells across the smallest sphere of"
-                << " type " << type.name() << ", of radius " << r << " m, in some"
-                << " places: " << 2*r/largest << " at " << place << ". The run stops"
-                << " where such a sphere gets there. Refine the mesh." << endl;
-        }
-    }
-}
-
-
-//- Warn of the density of a gas with the viscosity of a liquid
-void warnOfDensity(const scalar rho, const scalar nu, const dictionary& properties)
-{
-    if (rho > 0.5 && rho < 2 && nu > 1e-7 && nu < 5e-6)
-    {
-        IOWarningInFunction(properties)
-            << "The density of the fluid is " << rho << " kg/m3, that of a gas, with the"
-            << " kinematic viscosity of a liquid, " << nu << " m2/s. Is it in g/cm3?"
-            << " All units are SI." << endl;
-    }
-}
-
 }
 
 

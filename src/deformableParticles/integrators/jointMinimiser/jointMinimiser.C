@@ -119,7 +119,7 @@ bool Foam::jointMinimiser::converged() const
     {
         own = max(own, newtonMinimiser::largest(type(m), z_[m]));
     }
-    return !(returnReduce(-own, minOp<scalar>()) < -tolerance_);
+    return returnReduce(-own, minOp<scalar>()) >= -tolerance_;
 }
 
 
@@ -222,7 +222,7 @@ bool Foam::jointMinimiser::minimise()
         nSolves_ += tangents_.size();
         beginStep();
 
-        // A step reduces the distance from the minimum by less than this
+        // After a longer step there is always another one
         const bool near = n == 0 || lastStep_ < 1000*tolerance_;
         if (near && converged())
         {

@@ -109,7 +109,7 @@ void warnOfCoarseMesh(const deformableCloud& cloud, const fvMesh& mesh)
     point place(Zero);
     if (owner == Pstream::myProcNo())
     {
-        place = mesh.C()[findMax(width)];
+        place = mesh.cellCentres()[findMax(width)];
     }
     reduce(place, sumOp<point>());
     for (const clumpType& type : cloud.types())

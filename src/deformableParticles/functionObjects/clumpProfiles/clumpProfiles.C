@@ -117,7 +117,7 @@ bool Foam::functionObjects::clumpProfiles::write()
         SubList<scalar> volumes(part(0)), flows(part(1));
         forAll(mesh_.C(), celli)
         {
-            const vector x(section_.local(mesh_.C()[celli]));
+            const vector x(section_.local(mesh_.cellCentres()[celli]));
             const label k = bin(x.x(), x.y());
             volumes[k] += mesh_.V()[celli];
             flows[k] += mesh_.V()[celli]*((*U)[celli] & axes().flow);

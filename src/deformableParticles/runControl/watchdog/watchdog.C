@@ -122,7 +122,7 @@ Foam::string Foam::watchdog::place
         return string();
     }
     OStringStream os;
-    os  << said.c_str() << " at " << U.mesh().C()[cell]
+    os  << said.c_str() << " at " << U.mesh().cellCentres()[cell]
         << flowDriving::patches(cell, U, p).c_str() << nl;
     return os.str();
 }

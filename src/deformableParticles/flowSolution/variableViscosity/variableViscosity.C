@@ -20,12 +20,10 @@ Foam::variableViscosity::variableViscosity(volVectorField& U)
 Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
 {
     const volTensorField gradU("gradU", fvc::grad(U_));
-    const dimensionedTensor one("I", dimless, tensor::I);
     const surfaceVectorField& Sf = U_.mesh().Sf();
-    const volTensorField transposed(T(gradU) - tr(gradU)*one);
     surfaceVectorField flux
     (
-        "flux", *excess_*(Sf & linearInterpolate(transposed))
+        "flux", *excess_*(Sf & linearInterpolate(T(gradU)))
     );
     if (deficit_.valid())
     {

@@ -328,12 +328,12 @@ void Foam::membraneStep::advance
 
     const membraneModel::motion start(startOf(p, dt, dt0));
 
-    // Means of the viscosities inside and outside, and of their inverses
+    // The viscosity of B, and the inverse of the mean of the inverse viscosities
     const scalar ratio = type.viscosityRatio();
-    const scalar mean = 0.5*(1 + ratio)*mu;
+    const scalar resisting = min(scalar(1), 0.5*(1 + ratio))*mu;
     const scalar harmonic = 2*mu*ratio/(1 + ratio);
 
-    const scalarField zeta(8*mean*flow.areas/type.halfWidth());
+    const scalarField zeta(8*resisting*flow.areas/type.halfWidth());
     const scalarField smeared(flow.smoothing/(2*harmonic*flow.areas));
     const scalarField along(1/(1/zeta + smeared));
     const vectorField n(flow.areaVectors/mag(flow.areaVectors));
@@ -349,7 +349,7 @@ void Foam::membraneStep::advance
         start.from + start.span*unsmeared,
         flow.force,
         (along*symmTensor(I) + (zeta - along)*sqr(n))/start.span,
-        8*mean*d/Foam::sqrt(scalar(3))/start.span,
+        8*resisting*d/Foam::sqrt(scalar(3))/start.span,
         p.step().forces,
         start,
         flow.contacts,

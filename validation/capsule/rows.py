@@ -5,8 +5,7 @@ from math import degrees, pi
 
 from clumpTables import table
 
-(case, cells, step, subdivisions, kernel, ratio, length, height, shear, R,
- seconds) = sys.argv[1:]
+case, parameters, shear, R, seconds = sys.argv[1:]
 with open(f"{case}/log.rbcIbFoam") as file:
     correctors = [int(n) for n in re.findall(r"^Outer correctors: (\d+)", file.read(), re.M)]
 mean = sum(correctors)/max(len(correctors), 1)
@@ -15,8 +14,7 @@ radius = float(R)
 for row in table(case, "clumpShape"):
     t = row["time"]*float(shear)
     if abs(t/0.2 - round(t/0.2)) < 1e-6:
-        print(f"{cells},{step},{subdivisions},{kernel},{ratio},"
-              f"{length},{height},{round(t, 6):g},"
-              f"{row['TaylorDeformation']:.5f},{degrees(row['inclination']):.3f},"
+        print(f"{parameters},{round(t, 6):g},{row['TaylorDeformation']:.5f},"
+              f"{degrees(row['inclination']):.3f},"
               f"{row['volume']/(4/3*pi*radius**3):.10f},{row['area']/(4*pi*radius**2):.5f},"
               f"{mean:.2f},{seconds}")

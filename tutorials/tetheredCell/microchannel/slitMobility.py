@@ -1,7 +1,5 @@
-"""Drag of spheres held in a periodic slit at zero Reynolds number, without a mesh.
+"""What walls and periodic images change about the flow of a force, at zero Reynolds number.
 
-The mobilities of the spheres in free space are those of Rotne, Prager and Yamakawa, with the form
-of Wajnryb et al. (J. Fluid Mech. 731 (2013) R3, doi:10.1017/jfm.2013.402) for overlapping spheres.
 Walls at y = +-H and periods in x and z enter as the difference between the velocity of a force in
 the slit and in free space, which is smooth. Both are velocities of a Gaussian force, the first by
 Fourier series in x and z and Chebyshev collocation in y,
@@ -11,6 +9,7 @@ Fourier series in x and z and Chebyshev collocation in y,
 with v = D v = eta = 0 at the walls; the mean flow (k = 0) keeps its flux.
 """
 
+from math import erf
 import numpy as np
 
 
@@ -29,7 +28,6 @@ class Slit:
     space."""
 
     def __init__(self, mu, lx, height, lz, width=1.5, n=64):
-        self.mu, self.lx, self.lz, self.width = mu, lx, lz, width
         h = height/2
         points, D = chebyshev(n)
         y, D = h*points, D/h
@@ -46,16 +44,16 @@ class Slit:
 
         # Flux-free mean flow: mu u'' = -f + G
         u = np.zeros((2, n + 1))
-        A = self.mu*D2[inner, inner]
+        A = mu*D2[inner, inner]
         u[0, inner] = np.linalg.solve(A, -f[inner])
         u[1, inner] = np.linalg.solve(A, np.ones(n - 1))
         moments = np.array([(1 - (-1)**(j + 1))/(j + 1) for j in range(n + 1)])
         weights = np.linalg.lstsq(
             np.vander(points, n + 1, increasing=True).T, moments, rcond=None)[0]
         flux = u @ weights
-        self.mean = (u[0] - flux[0]/flux[1]*u[1])[middle]/(lx*lz)
+        mean = (u[0] - flux[0]/flux[1]*u[1])[middle]/(lx*lz)
 
-        self.modes = []
+        modes = []
         top = 4.5/width
         for i in range(int(top*lx/(2*np.pi)) + 1):
             for j in range(int(top*lz/(2*np.pi)) + 1):
@@ -67,61 +65,22 @@ class Slit:
                 L = D2[inner, inner] - k2*np.eye(n - 1)
                 biharmonic = D4 - 2*k2*D2[inner, inner] + k2**2*np.eye(n - 1)
                 v, eta = np.zeros(n + 1), np.zeros(n + 1)
-                v[inner] = np.linalg.solve(self.mu*biharmonic, kx*(D @ g)[inner])
-                eta[inner] = np.linalg.solve(self.mu*L, -kz*g[inner])
+                v[inner] = np.linalg.solve(mu*biharmonic, kx*(D @ g)[inner])
+                eta[inner] = np.linalg.solve(mu*L, -kz*g[inner])
                 # v and eta stand for i v and i eta
                 value = -(kx*(D @ v)[middle] - kz*eta[middle])/k2
-                self.modes.append((kx, value*(2 if i else 1)*(2 if j else 1)/(lx*lz)))
+                modes.append((kx, value*(2 if i else 1)*(2 if j else 1)/(lx*lz)))
 
-    def free(self, dx):
-        """Velocity of the Gaussian force in free space, along its direction."""
-        from math import erf, exp, pi, sqrt
-        r = abs(dx)/(sqrt(2)*self.width)
-        if r < 1e-3:
-            return 2/(3*sqrt(pi))/(sqrt(2)*self.width)/(pi*self.mu)/2
-        a, b = erf(r), 2*r*exp(-r**2)/sqrt(pi)
-        # [(1 + 1/(2 r^2)) + (1 - 3/(2 r^2))] erf + ... along the force
-        return (2*a - (a - b)/r**2)/(8*pi*self.mu*abs(dx))
+        # Velocity of the same force in free space, along its direction
+        dx = np.linspace(0, lx, 1001)
+        r = np.maximum(dx, 1e-3*width)/(np.sqrt(2)*width)
+        a, b = np.vectorize(erf)(r), 2*r*np.exp(-r**2)/np.sqrt(np.pi)
+        free = (2*a - (a - b)/r**2)/(8*np.pi*mu*np.sqrt(2)*width*r)
+        self.dx = dx
+        self.values = mean - free + sum(value*np.cos(kx*dx) for kx, value in modes)
 
     def correction(self, dx):
-        waves = sum(value*np.cos(kx*dx) for kx, value in self.modes)
-        return self.mean + waves - self.free(dx)
-
-
-def rotne_prager(x, a, mu):
-    """Translational mobility matrix of spheres at x with radii a."""
-    n = len(a)
-    M = np.zeros((3*n, 3*n))
-    for i in range(n):
-        for j in range(n):
-            d = x[i] - x[j]
-            r = np.linalg.norm(d)
-            big, small = max(a[i], a[j]), min(a[i], a[j])
-            if r <= big - small:
-                m = np.eye(3)/(6*np.pi*mu*big)
-            else:
-                e = np.outer(d, d)/r**2
-                if r > a[i] + a[j]:
-                    s = (a[i]**2 + a[j]**2)/r**2
-                    m = ((1 + s/3)*np.eye(3) + (1 - s)*e)/(8*np.pi*mu*r)
-                else:
-                    t = (a[i] - a[j])**2
-                    m = ((16*r**3*(a[i] + a[j]) - (t + 3*r**2)**2)/(32*r**3)*np.eye(3)
-                         + 3*(t - r**2)**2/(32*r**3)*e)/(6*np.pi*mu*a[i]*a[j])
-            M[3*i:3*i + 3, 3*j:3*j + 3] = m
-    return M
-
-
-def drag(x, a, mu, flow, correction=lambda dx: 0):
-    """Forces along x on spheres held at x in the flow u(y) along x."""
-    n = len(a)
-    M = rotne_prager(x, a, mu)
-    for i in range(n):
-        for j in range(n):
-            M[3*i, 3*j] += correction(x[i][0] - x[j][0])
-    u = np.zeros(3*n)
-    u[0::3] = [flow(p[1], r) for p, r in zip(x, a)]
-    return np.linalg.solve(M, u)[0::3]
+        return np.interp(abs(dx), self.dx, self.values)
 
 
 if __name__ == '__main__':

@@ -14,6 +14,9 @@ using namespace Foam;
 constexpr scalar ofNormals = 0.25;
 constexpr scalar ofAll = 0.05;
 
+//- w of the resistance at what is at rest
+constexpr scalar atWalls = 4;
+
 Eigen::Matrix3d asMatrix(const tensor& t)
 {
     Eigen::Matrix3d result;
@@ -46,7 +49,8 @@ Foam::membraneStep::membraneStep
 :
     mechanics_(type, dict),
     contacts_(contacts),
-    tangent_(type.surface(), mechanics_.rings())
+    tangent_(type.surface(), mechanics_.rings()),
+    factored_(-1, -1)
 {}
 
 
@@ -146,6 +150,30 @@ Foam::vectorField Foam::membraneStep::weight
 }
 
 
+Foam::symmTensorField Foam::membraneStep::resistances
+(
+    const nodeFlow& flow,
+    const vectorField& n,
+    const scalarField& smeared,
+    const scalar mu
+) const
+{
+    const scalarField zeta(8*mu*flow.areas/mechanics_.type().halfWidth());
+    const scalarField along(1/(1/zeta + smeared));
+    symmTensorField result(along*symmTensor(I) + (zeta - along)*sqr(n));
+    for (const nodeContact& c : flow.contacts)
+    {
+        const bool atRest = c.moves < 2;
+        if (atRest)
+        {
+            const scalar h = max(c.gap, contacts_.resolution());
+            result[c.nodes[0]] += atWalls*mu*c.area/h*sqr(c.normal);
+        }
+    }
+    return result;
+}
+
+
 Foam::scalar Foam::membraneStep::addResistance
 (
     const problem& step,
@@ -209,29 +237,35 @@ Foam::scalar Foam::membraneStep::value
 }
 
 
-bool Foam::membraneStep::factorise
+Foam::scalar Foam::membraneStep::linearise
 (
     const problem& step,
     const vectorField& y,
     const scalar p,
-    vectorField& gradient,
-    scalar& value0
+    const bool exact,
+    vectorField& gradient
 ) const
 {
-    for (const bool exact : {true, false})
+    tangent_.clear(exact);
+    const scalar result = value(step, y, gradient, &tangent_);
+    if (exact)
     {
-        tangent_.clear(exact);
-        value0 = value(step, y, gradient, &tangent_);
-        if (exact)
-        {
-            tangent_.addPressure(surface(), y, p);
-        }
-        if (tangent_.factorise())
-        {
-            return true;
-        }
+        tangent_.addPressure(surface(), y, p);
     }
-    return false;
+    return result;
+}
+
+
+bool Foam::membraneStep::solve
+(
+    const vectorField& gradient,
+    const vectorField& ofVolume,
+    directions& d
+) const
+{
+    return
+        tangent_.solve(-membraneTangent::asVector(gradient), d.free)
+     && tangent_.solve(membraneTangent::asVector(ofVolume), d.ofPressure);
 }
 
 
@@ -266,7 +300,12 @@ Foam::scalar Foam::membraneStep::lineSearch
 }
 
 
-bool Foam::membraneStep::minimise(const problem& step, vectorField& y) const
+bool Foam::membraneStep::minimise
+(
+    const problem& step,
+    const bool factored,
+    vectorField& y
+) const
 {
     constexpr label most = 100;
     constexpr scalar tolerance = 1e-6;
@@ -276,24 +315,33 @@ bool Foam::membraneStep::minimise(const problem& step, vectorField& y) const
 
     for (label n = 0; n < most && change > tolerance; ++n)
     {
+        const vectorField ofVolume(surface().areaVectors(y));
         vectorField gradient(y.size());
-        scalar value0 = 0;
-        if (!factorise(step, y, p, gradient, value0))
+        const scalar value0 = linearise(step, y, p, true, gradient);
+
+        // The factors of the last iteration do, unless the tangent has changed too much
+        directions d;
+        if (!((factored || n > 0) && solve(gradient, ofVolume, d)))
         {
-            break;
+            if (!tangent_.factorise())
+            {
+                linearise(step, y, p, false, gradient);
+                if (!tangent_.factorise())
+                {
+                    break;
+                }
+            }
+            if (!solve(gradient, ofVolume, d))
+            {
+                break;
+            }
         }
-        const vectorField normals(surface().areaVectors(y));
-        const auto g = membraneTangent::asVector(normals);
-        const scalar excess = surface().volume(y) - type.volume();
 
         // With the pressure that brings the volume back
-        const Eigen::VectorXd free
-        (
-            -tangent_.solve(membraneTangent::asVector(gradient))
-        );
-        const Eigen::VectorXd ofPressure(tangent_.solve(g));
-        p = -(excess + g.dot(free))/g.dot(ofPressure);
-        const vectorField dy(toField(free + p*ofPressure));
+        const scalar excess = surface().volume(y) - type.volume();
+        const auto g = membraneTangent::asVector(ofVolume);
+        p = -(excess + g.dot(d.free))/g.dot(d.ofPressure);
+        const vectorField dy(toField(d.free + p*d.ofPressure));
 
         const scalar penalty = 2*mag(p);
         const scalar part = lineSearch
@@ -333,9 +381,7 @@ void Foam::membraneStep::advance
     const scalar resisting = min(scalar(1), 0.5*(1 + ratio))*mu;
     const scalar harmonic = 2*mu*ratio/(1 + ratio);
 
-    const scalarField zeta(8*resisting*flow.areas/type.halfWidth());
     const scalarField smeared(flow.smoothing/(2*harmonic*flow.areas));
-    const scalarField along(1/(1/zeta + smeared));
     const vectorField n(flow.areaVectors/mag(flow.areaVectors));
     const vectorField unsmeared
     (
@@ -348,7 +394,7 @@ void Foam::membraneStep::advance
         s.x,
         start.from + start.span*unsmeared,
         flow.force,
-        (along*symmTensor(I) + (zeta - along)*sqr(n))/start.span,
+        resistances(flow, n, smeared, resisting)/start.span,
         8*resisting*d/Foam::sqrt(scalar(3))/start.span,
         p.step().forces,
         start,
@@ -364,7 +410,10 @@ void Foam::membraneStep::advance
     {
         y = s.x;
     }
-    flow.solved = minimise(step, y);
+    const labelPair me(p.origProc(), p.origId());
+    const bool factored = p.step().guessed && factored_ == me;
+    flow.solved = minimise(step, factored, y);
+    factored_ = me;
 
     vectorField F(flow.force);
     addResistance(step, y - step.target, F, nullptr);

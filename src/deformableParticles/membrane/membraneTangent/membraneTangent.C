@@ -55,9 +55,7 @@ void Foam::membraneTangent::clear(const bool exact)
 {
     exact_ = exact;
     std::fill(lower_.valuePtr(), lower_.valuePtr() + lower_.nonZeros(), 0.0);
-    weights_.clear();
-    vectors_.clear();
-    solved_.clear();
+    products_ = products();
 }
 
 
@@ -118,8 +116,8 @@ void Foam::membraneTangent::addPressure
 
 void Foam::membraneTangent::addProduct(const scalar k, const vectorField& v)
 {
-    weights_.push_back(k);
-    vectors_.push_back(asVector(v));
+    products_.k.push_back(k);
+    products_.v.push_back(asVector(v));
 }
 
 
@@ -134,8 +132,9 @@ bool Foam::membraneTangent::factorise()
     {
         return false;
     }
+    factored_ = products_;
     solved_.clear();
-    for (const Eigen::VectorXd& v : vectors_)
+    for (const Eigen::VectorXd& v : factored_.v)
     {
         solved_.push_back(factors_.solve(v));
     }
@@ -143,20 +142,21 @@ bool Foam::membraneTangent::factorise()
 }
 
 
-Eigen::VectorXd Foam::membraneTangent::solve(const Eigen::VectorXd& r) const
+Eigen::VectorXd Foam::membraneTangent::precondition(const Eigen::VectorXd& r) const
 {
     Eigen::VectorXd x(factors_.solve(r));
-    const label n = vectors_.size();
+    const label n = solved_.size();
     if (n)
     {
         Eigen::MatrixXd small(n, n);
         Eigen::VectorXd right(n);
         for (label a = 0; a < n; ++a)
         {
-            right[a] = weights_[a]*vectors_[a].dot(x);
+            const Eigen::VectorXd kv(factored_.k[a]*factored_.v[a]);
+            right[a] = kv.dot(x);
             for (label b = 0; b < n; ++b)
             {
-                small(a, b) = weights_[a]*vectors_[a].dot(solved_[b]);
+                small(a, b) = kv.dot(solved_[b]);
             }
             small(a, a) += 1;
         }
@@ -170,12 +170,47 @@ Eigen::VectorXd Foam::membraneTangent::solve(const Eigen::VectorXd& r) const
 }
 
 
+bool Foam::membraneTangent::solve
+(
+    const Eigen::VectorXd& r,
+    Eigen::VectorXd& x
+) const
+{
+    constexpr label most = 25;
+    constexpr scalar tolerance = 1e-4;
+
+    // With the residual, and its norm in the preconditioner
+    x.setZero(r.size());
+    Eigen::VectorXd residual(r);
+    Eigen::VectorXd z(precondition(residual));
+    Eigen::VectorXd p(z);
+    scalar norm = residual.dot(z);
+    const scalar allowed = sqr(tolerance)*norm;
+    for (label n = 0; n < most && norm > allowed; ++n)
+    {
+        const Eigen::VectorXd Hp(times(p));
+        const scalar curvature = p.dot(Hp);
+        if (!(curvature > 0))
+        {
+            return false;
+        }
+        x += norm/curvature*p;
+        residual -= norm/curvature*Hp;
+        z = precondition(residual);
+        const scalar last = norm;
+        norm = residual.dot(z);
+        p = z + norm/last*p;
+    }
+    return norm <= allowed;
+}
+
+
 Eigen::VectorXd Foam::membraneTangent::times(const Eigen::VectorXd& v) const
 {
     Eigen::VectorXd result(lower_.selfadjointView<Eigen::Lower>()*v);
-    for (size_t m = 0; m < vectors_.size(); ++m)
+    for (size_t m = 0; m < products_.v.size(); ++m)
     {
-        result += weights_[m]*vectors_[m].dot(v)*vectors_[m];
+        result += products_.k[m]*products_.v[m].dot(v)*products_.v[m];
     }
     return result;
 }

@@ -43,6 +43,9 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     response_(0),
     responseStep_(0),
     fresh_(true),
+    index_(-1),
+    corrected_(false),
+    start_({Zero, Zero, true}),
     state_
     (
         IOobject
@@ -322,6 +325,32 @@ Foam::vector Foam::fv::meanVelocityGradient::meanOf
 
 void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
 {
+    adjust(U);
+    corrected_ = true;
+}
+
+
+void Foam::fv::meanVelocityGradient::beginStep()
+{
+    const label index = mesh_.time().timeIndex();
+    if (index != index_)
+    {
+        start_ = {gradient_, mean_, fresh_};
+        index_ = index;
+    }
+    else if (corrected_)
+    {
+        // The step is repeated (see repeatedStep)
+        gradient_ = start_.gradient;
+        mean_ = start_.mean;
+        fresh_ = start_.fresh;
+    }
+    corrected_ = false;
+}
+
+
+void Foam::fv::meanVelocityGradient::adjust(const volVectorField& U)
+{
     const scalar dt = mesh_.time().deltaTValue();
     if (mag(dt - responseStep_) > 0.1*responseStep_)
     {
@@ -351,9 +380,10 @@ void Foam::fv::meanVelocityGradient::addSup
     const label
 )
 {
+    beginStep();
     if (fresh_)
     {
-        correct(mesh_.lookupObjectRef<volVectorField>(fieldNames_[0]));
+        adjust(mesh_.lookupObject<volVectorField>(fieldNames_[0]));
     }
     used_ = gradient_;
     for (const label celli : cells_)

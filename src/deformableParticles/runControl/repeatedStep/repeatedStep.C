@@ -58,13 +58,14 @@ void Foam::repeatedStep::begin()
 
 void Foam::repeatedStep::goBack()
 {
-    runTime_.returnTo(*start_);
+    // Before the time: at another time index, oldTime() would be what there is now
     if (flow_.solved())
     {
         flow_.p() == *p_;
         flow_.U() == flow_.U().oldTime();
         flow_.phi() == flow_.phi().oldTime();
     }
+    runTime_.returnTo(*start_);
 }
 
 

@@ -44,7 +44,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     responseStep_(0),
     fresh_(true),
     index_(-1),
-    corrected_(false),
+    corrected_(-GREAT),
     start_({Zero, Zero, true}),
     state_
     (
@@ -326,7 +326,7 @@ Foam::vector Foam::fv::meanVelocityGradient::meanOf
 void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
 {
     adjust(U);
-    corrected_ = true;
+    corrected_ = mesh_.time().value();
 }
 
 
@@ -338,14 +338,14 @@ void Foam::fv::meanVelocityGradient::beginStep()
         start_ = {gradient_, mean_, fresh_};
         index_ = index;
     }
-    else if (corrected_)
+    else if (mesh_.time().value() < corrected_)
     {
-        // The step is repeated (see repeatedStep)
+        // The step is repeated and ends earlier (see repeatedStep)
         gradient_ = start_.gradient;
         mean_ = start_.mean;
         fresh_ = start_.fresh;
+        corrected_ = -GREAT;
     }
-    corrected_ = false;
 }
 
 

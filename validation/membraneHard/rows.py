@@ -1,0 +1,44 @@
+"""The row of a run in data.csv: steps, whether it ended, mean outer correctors, steps that were
+repeated and that missed the tolerance, largest change of volume, largest area and length over those
+at the start, and largest angle between triangles that share an edge at any time written."""
+import re
+import sys
+
+import clumpSpheres
+import numpy as np
+from clumpTables import table
+
+case, name = sys.argv[1:]
+with open(f"{case}/log.rbcIbFoam") as file:
+    log = file.read()
+correctors = [int(n) for n in re.findall(r"^Outer correctors: (\d+)", log, re.M)]
+missed = re.findall(r"(\d+) of \d+ steps did not reach", log)
+
+
+def fold(path):
+    """Largest angle between the normals of neighbouring triangles [degrees]."""
+    membranes = clumpSpheres.membranes(path)
+    x, triangles = membranes["x"], membranes["triangles"]
+    a, b, c = (x[triangles[:, i]] for i in range(3))
+    n = np.cross(b - a, c - a)
+    n /= np.linalg.norm(n, axis=1)[:, None]
+    edges = {}
+    smallest = 1
+    for t, corners in enumerate(triangles):
+        for i in range(3):
+            edge = frozenset((corners[i], corners[(i + 1) % 3]))
+            if edge in edges:
+                smallest = min(smallest, n[t] @ n[edges[edge]])
+            edges[edge] = t
+    return np.degrees(np.arccos(smallest))
+
+
+rows = table(case, "clumpShape")
+first = rows[0]
+volume = max(abs(r["volume"]/first["volume"] - 1) for r in rows)
+area, length = (max(r[c] for r in rows)/first[c] for c in ("area", "L1"))
+folds = max(fold(path) for _, path in clumpSpheres.frames(case))
+print(f"{name},{len(correctors)},{'yes' if re.search('^End', log, re.M) else 'no'},"
+      f"{sum(correctors)/max(len(correctors), 1):.2f},"
+      f"{len(re.findall('is repeated with', log))},{missed[0] if missed else 0},"
+      f"{volume:.1e},{area:.3f},{length:.3f},{folds:.0f}")

@@ -1,15 +1,10 @@
 """Rows of data.csv of a run: every 0.2 shear times, as the reference has them."""
-import re
 import sys
 from math import degrees, pi
 
 from clumpTables import table
 
-case, parameters, shear, R, seconds = sys.argv[1:]
-with open(f"{case}/log.rbcIbFoam") as file:
-    correctors = [int(n) for n in re.findall(r"^Outer correctors: (\d+)", file.read(), re.M)]
-mean = sum(correctors)/max(len(correctors), 1)
-
+case, parameters, shear, R, correctors, seconds = sys.argv[1:]
 radius = float(R)
 for row in table(case, "clumpShape"):
     t = row["time"]*float(shear)
@@ -17,4 +12,4 @@ for row in table(case, "clumpShape"):
         print(f"{parameters},{round(t, 6):g},{row['TaylorDeformation']:.5f},"
               f"{degrees(row['inclination']):.3f},"
               f"{row['volume']/(4/3*pi*radius**3):.10f},{row['area']/(4*pi*radius**2):.5f},"
-              f"{mean:.2f},{seconds}")
+              f"{correctors},{seconds}")

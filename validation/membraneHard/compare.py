@@ -19,7 +19,7 @@ for row in rows:
     results.report(f"{name}: repeated of {row['steps']:.0f} steps", row["repeated"], "-",
                    "this code")
 
-figure, axes = plt.subplots(2, (len(rows) + 1)//2, figsize=(13, 6), squeeze=False)
+figure, axes = plt.subplots(2, (len(rows) + 1)//2, figsize=(8, 3.8), squeeze=False)
 for axis in axes.flat:
     axis.axis("off")
 for number, (row, axis) in enumerate(zip(rows, axes.flat), 1):
@@ -27,8 +27,8 @@ for number, (row, axis) in enumerate(zip(rows, axes.flat), 1):
     x = 1e6*membrane["x"]
     seen = np.argsort(x[membrane["triangles"]][:, :, 2].mean(axis=1))
     axis.add_collection(PolyCollection(x[membrane["triangles"][seen]][:, :, :2], facecolor="C3",
-                                       edgecolor="k", linewidth=0.2))
-    axis.set_title(row["case"], fontsize=9)
+                                       edgecolor="k", linewidth=0.1))
+    axis.set_title(row["case"], fontsize=7)
     axis.autoscale()
     axis.set_aspect("equal")
 figure.tight_layout()

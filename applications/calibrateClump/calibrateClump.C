@@ -197,6 +197,122 @@ void warnOfOtherQuantity
     }
 }
 
+dictionary readDictionary(const fileName& file)
+{
+    IFstream is(file);
+    if (!is.good())
+    {
+        FatalErrorInFunction
+            << "Cannot read the dictionary " << file << exit(FatalError);
+    }
+    return dictionary(is);
+}
+
+
+//- The variants of the type that are fitted, with the option -variant only one of them,
+//  whose number is added to the name of the folder
+PtrList<dictionary> chosenVariants
+(
+    const dictionary& dict,
+    const argList& args,
+    fileName& folder
+)
+{
+    PtrList<dictionary> variants;
+    if (dict.found("variants"))
+    {
+        variants = PtrList<dictionary>(dict.lookup("variants"));
+    }
+    if (args.found("variant"))
+    {
+        const label v = args.get<label>("variant");
+        if (v < 0 || v >= variants.size())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Option -variant is " << v << ", but the entry 'variants' has "
+                << variants.size() << ", counted from 0." << exit(FatalIOError);
+        }
+        PtrList<dictionary> one(1);
+        one.set(0, variants.set(v, nullptr));
+        variants.transfer(one);
+        folder += Foam::name(v);
+    }
+    return variants;
+}
+
+
+void refuseTooFewPoints
+(
+    const dictionary& dict,
+    const label nFitted,
+    const label nParameters
+)
+{
+    if (nFitted < nParameters)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Only " << nFitted << " points are fitted, fewer than the "
+            << nParameters << " parameters"
+            << (dict.subDict("data").found("heldOut") ? " (see heldOut)" : "")
+            << '.' << exit(FatalIOError);
+    }
+}
+
+
+void printParameters
+(
+    const freeParameters& parameters,
+    const Eigen::VectorXd& y,
+    const scalarField& sigma
+)
+{
+    Info<< "parameter" << tab << "value" << tab << "+-" << nl;
+    forAll(sigma, i)
+    {
+        const scalar value = parameters.value(i, y[i]);
+        Info<< parameters.name(i) << tab << value << tab << sigma[i]
+            << (parameters.atBound(i, value) ? "  at its bound" : "") << nl;
+    }
+}
+
+
+//- z: (model - measured)/error of all points, variant by variant
+void printPoints
+(
+    const mechanicalTest& test,
+    const measurement& data,
+    const fit& solution,
+    const Eigen::VectorXd& z
+)
+{
+    const label n = data.points().size();
+    Info<< nl << "line" << tab << "quantity" << tab << test.abscissa() << tab
+        << "measured" << tab << "(model - measured)/error, per variant" << nl;
+    forAll(data.points(), k)
+    {
+        const measurement::point& p = data.points()[k];
+        Info<< p.line << tab << data.quantities()[p.quantity] << tab
+            << data.abscissas()[p.abscissa] << tab << p.value;
+        for (label v = 0; v < solution.nVariants(); ++v)
+        {
+            Info<< tab << z[v*n + k];
+        }
+        Info<< (data.points()[k].heldOut ? "  held out" : "") << nl;
+    }
+
+    Info<< nl;
+    for (const bool heldOut : {false, true})
+    {
+        const Eigen::VectorXd part(solution.part(z, heldOut));
+        if (part.size())
+        {
+            Info<< (heldOut ? "held out: " : "") << "largest |z| "
+                << part.cwiseAbs().maxCoeff() << ", RMS "
+                << part.norm()/Foam::sqrt(scalar(part.size())) << nl;
+        }
+    }
+}
+
 }
 
 
@@ -212,13 +328,7 @@ int main(int argc, char* argv[])
 
     const cpuTime timer;
     const fileName file(args[1]);
-    IFstream is(file);
-    if (!is.good())
-    {
-        FatalErrorInFunction
-            << "Cannot read the dictionary " << file << exit(FatalError);
-    }
-    const dictionary dict(is);
+    const dictionary dict(readDictionary(file));
 
     const autoPtr<mechanicalTest> test
     (
@@ -235,36 +345,12 @@ int main(int argc, char* argv[])
         evaluate ? dictionary::null : dict.subDict("parameters"), type
     );
 
-    PtrList<dictionary> variants;
-    if (dict.found("variants"))
-    {
-        variants = PtrList<dictionary>(dict.lookup("variants"));
-    }
     fileName folder(file + (evaluate ? ".evaluated" : ".fit"));
-    if (args.found("variant"))
-    {
-        const label v = args.get<label>("variant");
-        if (v < 0 || v >= variants.size())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Option -variant is " << v << ", but the entry 'variants' has "
-                << variants.size() << ", counted from 0." << exit(FatalIOError);
-        }
-        PtrList<dictionary> one(1);
-        one.set(0, variants.set(v, nullptr));
-        variants.transfer(one);
-        folder += Foam::name(v);
-    }
-
-    const label nFitted = data.nFitted()*max(1, variants.size());
-    if (nFitted < parameters.size())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Only " << nFitted << " points are fitted, fewer than the "
-            << parameters.size() << " parameters"
-            << (dict.subDict("data").found("heldOut") ? " (see heldOut)" : "")
-            << '.' << exit(FatalIOError);
-    }
+    const PtrList<dictionary> variants(chosenVariants(dict, args, folder));
+    refuseTooFewPoints
+    (
+        dict, data.nFitted()*max(1, variants.size()), parameters.size()
+    );
 
     warnOfOtherQuantity(*test, data, type);
     fit solution(*test, data, parameters, type, variants);
@@ -293,41 +379,9 @@ int main(int argc, char* argv[])
     }
     writeLoads(folder, *test, data, solution, y);
 
-    Info<< nl << data.points().size() << " points of " << data.file() << nl << nl
-        << "parameter" << tab << "value" << tab << "+-" << nl;
-    forAll(sigma, i)
-    {
-        const scalar value = parameters.value(i, y[i]);
-        Info<< parameters.name(i) << tab << value << tab << sigma[i]
-            << (parameters.atBound(i, value) ? "  at its bound" : "") << nl;
-    }
-
-    const label n = data.points().size();
-    Info<< nl << "line" << tab << "quantity" << tab << test->abscissa() << tab
-        << "measured" << tab << "(model - measured)/error, per variant" << nl;
-    forAll(data.points(), k)
-    {
-        const measurement::point& p = data.points()[k];
-        Info<< p.line << tab << data.quantities()[p.quantity] << tab
-            << data.abscissas()[p.abscissa] << tab << p.value;
-        for (label v = 0; v < solution.nVariants(); ++v)
-        {
-            Info<< tab << z[v*n + k];
-        }
-        Info<< (data.points()[k].heldOut ? "  held out" : "") << nl;
-    }
-
-    Info<< nl;
-    for (const bool heldOut : {false, true})
-    {
-        const Eigen::VectorXd part(solution.part(z, heldOut));
-        if (part.size())
-        {
-            Info<< (heldOut ? "held out: " : "") << "largest |z| "
-                << part.cwiseAbs().maxCoeff() << ", RMS "
-                << part.norm()/Foam::sqrt(scalar(part.size())) << nl;
-        }
-    }
+    Info<< nl << data.points().size() << " points of " << data.file() << nl << nl;
+    printParameters(parameters, y, sigma);
+    printPoints(*test, data, solution, z);
     Info<< "unstable states " << unstable << nl
         << "volume [m3]";
     for (label v = 0; v < solution.nVariants(); ++v)

@@ -39,6 +39,7 @@ Description
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
 #include "closedMomentum.H"
+#include "clumpTotals.H"
 #include "convectionCriterion.H"
 #include "couplingIteration.H"
 #include "incompressibleFlow.H"
@@ -66,45 +67,14 @@ int main(int argc, char* argv[])
     runTime.need("phi", "U");
     #include "createFields.H"
     #include "createFieldRefs.H"
-
-    sceneEffects& effects = cloud.effects();
-    timeBreakdown& timing = cloud.timing();
-    timeStepControl timeStep(runTime);
-    runMonitor monitor(runTime, cloud, flow, args);
-    resistanceMeasurement resistance(runTime, cloud, flow, args);
-    convectionCriterion convection(cloud, resistance.wanted());
-    couplingIteration coupling(cloud, flow, !resistance.wanted());
-    closedMomentum momentum(cloud, flow);
-    slidingMesh sliding(cloud, flow, !resistance.wanted());
-
-    if (flow.solved())
-    {
-        convection.decide(U, nu);
-    }
-    if (cloud.hasFluid() && cloud.startWithFlow(U, nu))
-    {
-        phi = fvc::flux(U);
-    }
+    #include "createControls.H"
     monitor.start();
 
     while (monitor.run())
     {
         resistance.beginStep();
 
-        if (flow.solved())
-        {
-            convection.decide(U, nu);
-            timeStep.measure(sliding.flux(), nu, piso);
-        }
-        if (!resistance.wanted())
-        {
-            timeStep.adjust
-            (
-                cloud.maxSpeedOverRadius(),
-                monitor.shortening(),
-                cloud.releaseStep(timeStep.maxDisplacement())
-            );
-        }
+        #include "setTimeStep.H"
 
         do
         {
@@ -112,33 +82,7 @@ int main(int argc, char* argv[])
 
             if (flow.solved())
             {
-                sliding.beginStep();
-                refineAroundClumps(mesh, cloud, flow);
-                coupling.beginStep();
-
-                if (cloud.coupled())
-                {
-                    cloud.immerse
-                    (
-                        nu, !resistance.wanted(), piso.nCorrPIMPLE() > 1
-                    );
-                }
-
-                // --- Pressure-velocity coupling
-                while (coupling.loop())
-                {
-                    const timeBreakdown::timer t(timing, "flow");
-
-                    #include "UEqn.H"
-
-                    while (piso.correct())
-                    {
-                        #include "pEqn.H"
-                    }
-
-                    laminarTransport.correct();
-                    turbulence.correct();
-                }
+                #include "solveFlow.H"
             }
 
             // --- Clumps, which do not move where their resistance is measured

@@ -43,10 +43,8 @@ namespace
 {
 
 //- Write the field, and tell its largest value
-void writeWork(const Foam::deformableCloud& cloud, const Foam::scalar cellsPerSphere)
+void writeWork(const deformableCloud& cloud, const scalar cellsPerSphere)
 {
-    using namespace Foam;
-
     const clumpWork work(cloud, cellsPerSphere);
     const tmp<volScalarField> tfield(work.field());
     tfield().write();
@@ -58,10 +56,8 @@ void writeWork(const Foam::deformableCloud& cloud, const Foam::scalar cellsPerSp
         << " with the clumps, to " << tfield().time().timeName()/tfield().name() << nl;
 }
 
-}
 
-
-int main(int argc, char* argv[])
+void addOptions()
 {
     argList::addNote("Place the clumps of constant/clumpProperties");
     argList::addBoolOption
@@ -85,32 +81,27 @@ int main(int argc, char* argv[])
     (
         "cellsPerSphere", "n", "Work of a sphere in clumpWork, default 30"
     );
+}
 
-    #include "setRootCase.H"
-    #include "createTime.H"
-    timeDirectories::refuseUncopied(runTime);
-    #include "createMesh.H"
 
-    if (args.found("template"))
-    {
-        if (Pstream::parRun())
-        {
-            FatalErrorInFunction
-                << "The option -template is for one processor."
-                << exit(FatalError);
-        }
-        caseTemplate
-        (
-            mesh, args.get<word>("template"), args.getOrDefault<scalar>("diameter", 0)
-        ).write(args.found("overwrite"));
-        return 0;
-    }
-    if (args.found("diameter"))
+void writeTemplate(const fvMesh& mesh, const argList& args)
+{
+    if (Pstream::parRun())
     {
         FatalErrorInFunction
-            << "The option -diameter belongs to -template bead." << exit(FatalError);
+            << "The option -template is for one processor."
+            << exit(FatalError);
     }
+    caseTemplate
+    (
+        mesh, args.get<word>("template"), args.getOrDefault<scalar>("diameter", 0)
+    ).write(args.found("overwrite"));
+}
 
+
+//- The option -cellsPerSphere
+scalar workOfSphere(const argList& args)
+{
     const scalar cellsPerSphere = args.getOrDefault<scalar>
     (
         "cellsPerSphere", clumpWork::usualCellsPerSphere
@@ -121,7 +112,56 @@ int main(int argc, char* argv[])
             << "-cellsPerSphere must not be negative: " << cellsPerSphere
             << exit(FatalError);
     }
+    return cellsPerSphere;
+}
 
+
+//- Fatal where clumps cross a wall or an open patch
+void refuseCrossing(const deformableCloud& cloud)
+{
+    const scalar tolerance = max
+    (
+        0.01,
+        cloud.properties().subOrEmptyDict("placement").getOrDefault<scalar>
+        (
+            "maxOverlap", 0
+        )
+    );
+    const surfaceCrossing crossing
+    (
+        cloud.mesh(), cloud.types(), cloud.ghosts(), tolerance
+    );
+    if (crossing.nClumps())
+    {
+        FatalErrorInFunction
+            << crossing.nClumps() << " clumps cross a wall or an open patch; "
+            << crossing.description().c_str() << exit(FatalError);
+    }
+}
+
+}
+
+
+int main(int argc, char* argv[])
+{
+    addOptions();
+    #include "setRootCase.H"
+    #include "createTime.H"
+    timeDirectories::refuseUncopied(runTime);
+    #include "createMesh.H"
+
+    if (args.found("template"))
+    {
+        writeTemplate(mesh, args);
+        return 0;
+    }
+    if (args.found("diameter"))
+    {
+        FatalErrorInFunction
+            << "The option -diameter belongs to -template bead." << exit(FatalError);
+    }
+
+    const scalar cellsPerSphere = workOfSphere(args);
     const fileName folder(runTime.timePath()/Foam::cloud::prefix/"clumps");
     if (args.found("work"))
     {
@@ -151,24 +191,7 @@ int main(int argc, char* argv[])
     // new ones have their places
     deformableCloud cloud(mesh, "newClumps");
 
-    const scalar tolerance = max
-    (
-        0.01,
-        cloud.properties().subOrEmptyDict("placement").getOrDefault<scalar>
-        (
-            "maxOverlap", 0
-        )
-    );
-    const surfaceCrossing crossing
-    (
-        mesh, cloud.types(), cloud.ghosts(), tolerance
-    );
-    if (crossing.nClumps())
-    {
-        FatalErrorInFunction
-            << crossing.nClumps() << " clumps cross a wall or an open patch; "
-            << crossing.description().c_str() << exit(FatalError);
-    }
+    refuseCrossing(cloud);
 
     cloud.rename("clumps");
     if (isDir(folder))

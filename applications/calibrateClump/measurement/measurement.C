@@ -87,6 +87,68 @@ scalar errorBar(const csvTable& table, const label row, const dictionary& v)
 }
 
 
+void Foam::measurement::addAbscissa
+(
+    const csvTable& table,
+    const label row,
+    const scalar x
+)
+{
+    if (abscissas_.size() && x < abscissas_.last())
+    {
+        table.fail(row, "the abscissa is lower than in the row before");
+    }
+    abscissas_.append(x);
+}
+
+
+void Foam::measurement::addPoints
+(
+    const csvTable& table,
+    const label row,
+    const dictionary& values,
+    const bool heldOut
+)
+{
+    forAll(quantities_, q)
+    {
+        if (!values.found(quantities_[q]))
+        {
+            continue;
+        }
+        const dictionary& v = values.subDict(quantities_[q]);
+        const label column = table.column(textOf(v, "column"));
+        const scalar unit = getPositive(v, "unit");
+        if (table.empty(row, column))
+        {
+            continue;
+        }
+
+        point p;
+        p.abscissa = abscissas_.size() - 1;
+        p.quantity = q;
+        p.value = unit*table.number(row, column);
+        p.line = table.line(row);
+        p.heldOut = heldOut;
+        p.error = unit*errorBar(table, row, v);
+        if (p.error <= 0)
+        {
+            if (!v.found("relativeError"))
+            {
+                table.fail
+                (
+                    row,
+                    "there is no error bar for " + quantities_[q]
+                  + "; give the entry relativeError for such rows"
+                );
+            }
+            p.error = getPositive(v, "relativeError")*mag(p.value);
+        }
+        points_.append(p);
+    }
+}
+
+
 Foam::measurement::measurement
 (
     const dictionary& dict,
@@ -135,12 +197,7 @@ Foam::measurement::measurement
         }
 
         const scalar inTable = table.number(row, abscissaColumn);
-        const scalar x = abscissaUnit*inTable;
-        if (abscissas_.size() && x < abscissas_.last())
-        {
-            table.fail(row, "the abscissa is lower than in the row before");
-        }
-        abscissas_.append(x);
+        addAbscissa(table, row, abscissaUnit*inTable);
 
         bool isHeldOut = false;
         forAll(heldOut, k)
@@ -151,43 +208,7 @@ Foam::measurement::measurement
                 matched.insert(k);
             }
         }
-
-        forAll(quantities_, q)
-        {
-            if (!values.found(quantities_[q]))
-            {
-                continue;
-            }
-            const dictionary& v = values.subDict(quantities_[q]);
-            const label column = table.column(textOf(v, "column"));
-            const scalar unit = getPositive(v, "unit");
-            if (table.empty(row, column))
-            {
-                continue;
-            }
-
-            point p;
-            p.abscissa = abscissas_.size() - 1;
-            p.quantity = q;
-            p.value = unit*table.number(row, column);
-            p.line = table.line(row);
-            p.heldOut = isHeldOut;
-            p.error = unit*errorBar(table, row, v);
-            if (p.error <= 0)
-            {
-                if (!v.found("relativeError"))
-                {
-                    table.fail
-                    (
-                        row,
-                        "there is no error bar for " + quantities_[q]
-                      + "; give the entry relativeError for such rows"
-                    );
-                }
-                p.error = getPositive(v, "relativeError")*mag(p.value);
-            }
-            points_.append(p);
-        }
+        addPoints(table, row, values, isHeldOut);
     }
 
     forAll(heldOut, k)

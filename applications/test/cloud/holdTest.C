@@ -122,7 +122,7 @@ TEST_CASE("hold: in all directions nothing but a rotation remains", "[cloud][hol
     const List<vector> held(run(*cloud, 50));
     REQUIRE(held.size() == 4);
     CHECK(mag(held[0] - vector(9e-6, 10e-6, 10e-6)) < 1e-17);
-    CHECK(mag(cloud->held() - symmTensor(I)) < 1e-9);
+    CHECK(mag(cloud->motion().held() - symmTensor(I)) < 1e-9);
     for (const clumpParcel& p : *cloud)
     {
         CHECK(mag(p.state().velocity(cloud->type(p))) < 1e-15);

@@ -141,7 +141,7 @@ TEST_CASE("contact step: what slips around is noticed", "[contact]")
         t.cloud->evolve();
         t.cloud->accept();
         bool any = false;
-        for (const bool passes : t.cloud->passing())
+        for (const bool passes : t.cloud->motion().passing())
         {
             any = any || passes;
         }
@@ -295,7 +295,7 @@ TEST_CASE("contact step: a contact costs the clumps that it moves", "[contact]")
     dryCloud t(1e-4, clumps);
     t.step();
     t.step();
-    const label n = returnReduce(t.cloud->nSolves(), sumOp<label>());
+    const label n = returnReduce(t.cloud->motion().nSolves(), sumOp<label>());
     INFO(n << " solutions in two steps");
     CHECK(n >= 2*216);
     CHECK(n < 2*216 + 80);

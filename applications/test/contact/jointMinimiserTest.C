@@ -26,7 +26,7 @@ TEST_CASE("joint minimiser: few iterations, however many clumps touch", "[contac
     dryCloud t(1e-4, clumps, "reducedModulus 1000; restitution 0.5;");
     t.step();
 
-    const label solves = returnReduce(t.cloud->nSolves(), sumOp<label>());
+    const label solves = returnReduce(t.cloud->motion().nSolves(), sumOp<label>());
     INFO(scalar(solves)/all << " solutions per clump in one step");
     CHECK(solves <= 9*all);
 }

@@ -554,5 +554,5 @@ TEST_CASE("boundary: the factor on the coupling coefficient has a limit", "[boun
     CHECK(largest == 1024);
 
     // More damping does not help: only a shorter step may
-    CHECK(t.cloud().needsShorterStep());
+    CHECK(t.cloud().motion().needsShorterStep());
 }

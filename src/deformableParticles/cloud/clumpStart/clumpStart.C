@@ -5,18 +5,13 @@
 
 #include "clumpStart.H"
 #include "clumpFields.H"
-#include "deformableCloud.H"
+#include "clumpSuspension.H"
 #include "foamCompat.H"
 #include "IOdictionary.H"
 #include "placement.H"
 #include "surfaceCrossing.H"
 
-bool Foam::clumpStart::begin
-(
-    deformableCloud& cloud,
-    const HashTable<label>& typeIds,
-    clumpCount& count
-)
+bool Foam::clumpStart::begin(clumpSuspension& cloud, clumpCount& count)
 {
     const bool restarts = returnReduce(cloud.size(), sumOp<label>()) > 0;
     if (restarts)
@@ -33,7 +28,7 @@ bool Foam::clumpStart::begin
     }
     else
     {
-        place(cloud, typeIds, count);
+        place(cloud, count);
     }
     count.start(cloud.size());
     reportFractions(cloud);
@@ -41,7 +36,7 @@ bool Foam::clumpStart::begin
 }
 
 
-void Foam::clumpStart::restart(deformableCloud& cloud)
+void Foam::clumpStart::restart(clumpSuspension& cloud)
 {
     const Time& time = cloud.pMesh().time();
     const dictionary& dict = cloud.properties();
@@ -77,12 +72,7 @@ void Foam::clumpStart::restart(deformableCloud& cloud)
 }
 
 
-void Foam::clumpStart::place
-(
-    deformableCloud& cloud,
-    const HashTable<label>& typeIds,
-    const clumpCount& count
-)
+void Foam::clumpStart::place(clumpSuspension& cloud, const clumpCount& count)
 {
     starts_ = true;
     clumpFields::refuseRemains(cloud);
@@ -94,9 +84,9 @@ void Foam::clumpStart::place
     }
 
     const dictionary& dict = getDict(properties, "placement");
-    selectModel<placement>(dict, cloud.types(), typeIds)->place
+    selectModel<placement>(dict, cloud.types(), cloud.typeIds())->place
     (
-        refCast<const fvMesh>(cloud.pMesh()), cloud, followFlow_
+        cloud.mesh(), cloud, followFlow_
     );
 
     Info<< "Placed " << returnReduce(cloud.size(), sumOp<label>()) << " clumps" << endl;
@@ -127,9 +117,9 @@ void Foam::clumpStart::refuseOutside
 }
 
 
-void Foam::clumpStart::reportFractions(const deformableCloud& cloud)
+void Foam::clumpStart::reportFractions(const clumpSuspension& cloud)
 {
-    const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
+    const fvMesh& mesh = cloud.mesh();
     const PtrList<clumpType>& types = cloud.types();
     labelList numbers(types.size(), 0);
     for (const clumpParcel& p : cloud)

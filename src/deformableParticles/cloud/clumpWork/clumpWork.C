@@ -15,12 +15,12 @@ const Foam::word Foam::clumpWork::fieldName("clumpWork");
 
 Foam::clumpWork::clumpWork
 (
-    const deformableCloud& cloud,
+    const clumpSuspension& cloud,
     const scalar cellsPerSphere
 )
 :
     cloud_(cloud),
-    mesh_(refCast<const fvMesh>(cloud.pMesh())),
+    mesh_(cloud.mesh()),
     cellsPerSphere_(cellsPerSphere)
 {}
 

@@ -5,6 +5,78 @@
 
 #include "deformableCloud.H"
 #include "clumpInjector.H"
+#include "clumpProperties.H"
+#include "FlatOutput.H"
+#include "functionObject.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(deformableCloud, 0);
+}
+
+
+Foam::deformableCloud::deformableCloud(const fvMesh& mesh, const word& name)
+:
+    deformableCloud
+    (
+        mesh, readClumpProperties(mesh), name
+    )
+{}
+
+
+Foam::deformableCloud::deformableCloud
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const word& name
+)
+:
+    clumpSuspension(mesh, dict, name),
+    motion_(*this, membranes_)
+{
+    const bool restarts = readOrPlace();
+    if (!restarts && nClumps())
+    {
+        const dictionary& placement = getDict(dict_, "placement");
+        motion_.refuseOverlaps(placement);
+        clumpStart::refuseOutside(mesh_, types_, ghosts_, placement);
+    }
+    motion_.decideEffects();
+}
+
+
+const Foam::deformableCloud& Foam::deformableCloud::find
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    const word name(dict.getOrDefault<word>("cloud", "clumps"));
+    const auto* cloud = mesh.findObject<deformableCloud>(name);
+    if (!cloud)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'cloud' is " << name << ", but there is no cloud of this"
+            << " name. Valid names: "
+            << flatOutput(mesh.sortedNames<deformableCloud>())
+            << exit(FatalIOError);
+    }
+    return *cloud;
+}
+
+
+Foam::word Foam::deformableCloud::findName
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    return
+        functionObject::postProcess
+      ? dict.getOrDefault<word>("cloud", "clumps")
+      : find(mesh, dict).name();
+}
+
 
 void Foam::deformableCloud::evolve
 (
@@ -19,8 +91,8 @@ void Foam::deformableCloud::evolve
         updateGhosts();
     }
     gatherForces(U, p, nu);
-    decideEffects();
-    solve(mesh_.time().deltaTValue());
+    motion_.decideEffects();
+    motion_.solve();
 
     flowChange_ = Zero;
     if (coupled())
@@ -31,81 +103,20 @@ void Foam::deformableCloud::evolve
 }
 
 
-void Foam::deformableCloud::accept()
-{
-    for (clumpParcel& parcel : *this)
-    {
-        parcel.accept
-        (
-            type(parcel), mesh_.time().deltaTValue()*meshVelocity_, flowChange_
-        );
-    }
-    contacting_.forget();
-}
-
-
-void Foam::deformableCloud::decideEffects()
-{
-    decisions_.decide
-    (
-        *this, nClumps(), ghosts_, g_, hasFluid() ? fluidDensity() : 0
-    );
-}
-
-
-void Foam::deformableCloud::lookAhead()
-{
-    const scalar dt = mesh_.time().deltaTValue();
-    for (clumpParcel& p : *this)
-    {
-        // The nodes of a membrane are met at the end of the step, see membraneStep
-        const bool nodes = type(p).hasSurface();
-        p.step().ahead = (nodes ? 1 : 0.5)*dt*velocityOverMesh(p);
-        p.step().span = nodes ? dt : 0;
-    }
-}
-
-
 void Foam::deformableCloud::evolve()
 {
     updateGhosts();
-    decideEffects();
-    solve(mesh_.time().deltaTValue());
+    motion_.decideEffects();
+    motion_.solve();
 }
 
 
 void Foam::deformableCloud::moveParcels()
 {
-    const timeBreakdown::timer t(timing_, "clumps");
-
-    if (coupled())
+    if (transfer())
     {
-        coupling_->report(*this, nClumps());
+        motion_.newClumps();
     }
-
-    removeLeaving();
-    for (clumpParcel& p : *this)
-    {
-        p.slideBack(mesh_.time().deltaTValue()*meshVelocity_);
-        p.recentre(type(p));
-    }
-    clumpParcel::trackingData td(*this);
-    td.reached = [this](const clumpParcel& p, const label patchi)
-    {
-        if (openPatches_.found(patchi))
-        {
-            count_.leave(p, patchi);
-        }
-    };
-    Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
-    if (injector_->inject(*this, count_))
-    {
-        // The distances to the walls were measured without the new clumps. The
-        // walls themselves depend on the mesh and the neighbours only
-        walls_.newClumps();
-    }
-
-    count_.endStep(size());
     timing_.endStep
     (
         [&](const char* part) { return effects_.takesPart(part); }
@@ -113,74 +124,23 @@ void Foam::deformableCloud::moveParcels()
 }
 
 
-void Foam::deformableCloud::removeLeaving()
+void Foam::deformableCloud::prepareMeshChange()
 {
-    if (openPatches_.empty())
-    {
-        return;
-    }
-    for (clumpParcel& p : *this)
-    {
-        const clumpType& ct = type(p);
-        const openPatches::place at
-        (
-            openPatches_.nearest(ct, p.centres(), ct.reach())
-        );
-        if
-        (
-            at.gap <= 0 && !ct.fixed()
-         && (p.state().velocity(ct) & at.inwards) < 0
-        )
-        {
-            count_.leave(p, at.patchi);
-            deleteParticle(p);
-        }
-    }
+    updateGhosts();
+    coupling_->boundary().setCloseness(ghosts_.images());
+    storeGlobalPositions();
 }
 
 
-void Foam::deformableCloud::setPresence()
+void Foam::deformableCloud::meshChanged()
 {
-    label index = 0;
-    for (clumpParcel& p : *this)
+    ghosts_.meshChanged();
+    motion_.meshChanged();
+    coupling_->boundary().meshChanged();
+    if (coupling_->surfaces())
     {
-        clumpImage& image = ghosts_.images()[index++];
-        image.presence = openPatches_.presence(type(p), image.x);
-        p.step().presence = image.presence;
+        coupling_->surfaces()->meshChanged();
     }
-}
-
-
-void Foam::deformableCloud::setOwnImages()
-{
-    UList<clumpImage>& images = ghosts_.own(size());
-    label index = 0;
-    for (const clumpParcel& p : *this)
-    {
-        images[index].set
-        (
-            p, type(p), p.state(), index, p.step().ahead, p.step().span
-        );
-        ++index;
-    }
-}
-
-
-void Foam::deformableCloud::updateGhosts()
-{
-    const timeBreakdown::timer t(timing_, "ghosts");
-
-    setOwnImages();
-    ghosts_.updateNeighbours();
-    openPatches_.update(ghosts_);
-    if (coupled())
-    {
-        setPresence();
-        label index = 0;
-        for (const clumpParcel& p : *this)
-        {
-            coupling_->setRotation(ghosts_.images()[index++], p.state());
-        }
-    }
-    ghosts_.exchange();
+    injector_->meshChanged();
+    openPatches_.clear();
 }

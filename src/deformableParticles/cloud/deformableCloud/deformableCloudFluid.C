@@ -4,7 +4,19 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
-#include "clumpInjector.H"
+
+void Foam::deformableCloud::lookAhead()
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    for (clumpParcel& p : *this)
+    {
+        // The nodes of a membrane are met at the end of the step, see membraneStep
+        const bool nodes = type(p).hasSurface();
+        p.step().ahead = (nodes ? 1 : 0.5)*dt*velocityOverMesh(p);
+        p.step().span = nodes ? dt : 0;
+    }
+}
+
 
 void Foam::deformableCloud::immerse
 (
@@ -26,10 +38,6 @@ void Foam::deformableCloud::immerse
     updateGhosts();
     if (coupling_->surfaces() && moving)
     {
-        if (decisions_.wallsMayTouch())
-        {
-            walls_.update(ghosts_);
-        }
         membranes_.beginContacts(*this, ghosts_, meshVelocity_);
     }
     else
@@ -91,8 +99,8 @@ void Foam::deformableCloud::impose()
     {
         membranes_.impose
         (
-            *this, ghosts_, *surfaces, decisions_.clumpsMayTouch(),
-            decisions_.wallsMayTouch() ? &walls_.surface() : nullptr
+            *this, ghosts_, *surfaces, motion_.decisions().clumpsMayTouch(),
+            motion_.wallsOfMembranes()
         );
     }
 }
@@ -100,25 +108,10 @@ void Foam::deformableCloud::impose()
 
 void Foam::deformableCloud::immerseMembranes()
 {
-    surfaceImmersion* surfaces = coupling_->surfaces();
-    if (!surfaces)
+    if (surfaceImmersion* surfaces = coupling_->surfaces())
     {
-        return;
-    }
-    membranes_.immerse(*this, ghosts_, *surfaces);
-    loads_.sample(ghosts_);
-    label index = -1;
-    for (clumpParcel& p : *this)
-    {
-        ++index;
-        if (type(p).hasSurface())
-        {
-            // As in solveOnce
-            externalForces& ext = p.step().forces;
-            ext = externalForces(type(p).size());
-            addWeight(p, ext);
-            loads_.add(p, index, ext);
-        }
+        membranes_.immerse(*this, ghosts_, *surfaces);
+        motion_.setNodeForces();
     }
 }
 
@@ -140,7 +133,7 @@ void Foam::deformableCloud::predict
 )
 {
     gatherForces(U, p, nu);
-    solve(mesh_.time().deltaTValue());
+    motion_.solve();
 }
 
 
@@ -204,6 +197,35 @@ void Foam::deformableCloud::gatherForces
 }
 
 
+bool Foam::deformableCloud::followFlow()
+{
+    bool some = false;
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        const clumpImage& image = ghosts_.images()[index++];
+        if (start_.followsFlow(p) && !type(p).fixed())
+        {
+            if (type(p).hasSurface())
+            {
+                p.state().u = p.step().nodes.u;
+            }
+            else
+            {
+                coupling_->followFlow(p, image);
+            }
+            const vector held
+            (
+                motion_.held(p.typeId()) & p.state().velocity(type(p))
+            );
+            p.state().u -= held;
+        }
+        some = some || (!start_.followsFlow(p) && max(mag(p.state().u)) > 0);
+    }
+    return returnReduce(some, orOp<bool>());
+}
+
+
 bool Foam::deformableCloud::startWithFlow
 (
     volVectorField& U,
@@ -227,33 +249,11 @@ bool Foam::deformableCloud::startWithFlow
         sampleMembranes(U);
     }
 
-    bool some = false;
-    label index = 0;
-    for (clumpParcel& p : *this)
-    {
-        const clumpImage& image = ghosts_.images()[index++];
-        if (start_.followsFlow(p) && !type(p).fixed())
-        {
-            if (type(p).hasSurface())
-            {
-                p.state().u = p.step().nodes.u;
-            }
-            else
-            {
-                coupling_->followFlow(p, image);
-            }
-            const vector held
-            (
-                loads_.held(p.typeId()) & p.state().velocity(type(p))
-            );
-            p.state().u -= held;
-        }
-        some = some || (!start_.followsFlow(p) && max(mag(p.state().u)) > 0);
-    }
+    const bool some = followFlow();
     start_.end();
 
     // What starts with a velocity of its own starts with the fluid inside it
-    if (!coupled() || !returnReduce(some, orOp<bool>()))
+    if (!coupled() || !some)
     {
         return false;
     }
@@ -262,112 +262,4 @@ bool Foam::deformableCloud::startWithFlow
     U += b.solidFraction()*(b.solidVelocity() - U);
     U.correctBoundaryConditions();
     return true;
-}
-
-
-void Foam::deformableCloud::changeVelocities(const vector& dU)
-{
-    for (clumpParcel& p : *this)
-    {
-        p.state().u += dU;
-    }
-    momentum_.correction = dU;
-}
-
-
-bool Foam::deformableCloud::someFixed() const
-{
-    bool result = false;
-    for (const clumpParcel& p : *this)
-    {
-        result = result || type(p).fixed();
-    }
-    return returnReduce(result, orOp<bool>());
-}
-
-
-Foam::symmTensor Foam::deformableCloud::held() const
-{
-    symmTensor result(Zero);
-    if (someFixed())
-    {
-        result += symmTensor(I);
-    }
-    return result + loads_.held();
-}
-
-
-Foam::vector Foam::deformableCloud::meanVelocity() const
-{
-    vector momentum(Zero);
-    scalar mass = 0;
-    for (const clumpParcel& p : *this)
-    {
-        momentum += type(p).mass()*p.state().velocity(type(p));
-        mass += type(p).mass();
-    }
-    reduce(momentum, sumOp<vector>());
-    reduce(mass, sumOp<scalar>());
-    return momentum/max(mass, VSMALL);
-}
-
-
-Foam::vector Foam::deformableCloud::excessMomentum() const
-{
-    const scalar dt = mesh_.time().deltaTValue();
-    vector result(Zero);
-    for (const clumpParcel& p : *this)
-    {
-        const clumpType& ct = type(p);
-        const clumpState& s = p.state();
-        if (ct.hasSurface())
-        {
-            continue;
-        }
-        result +=
-            p.step().presence
-           *sum
-            (
-                ct.masses()*s.u - fluidDensity()*ct.volumes()*(s.u - dt*s.a)
-            );
-    }
-    return result;
-}
-
-
-Foam::scalar Foam::deformableCloud::excessMass() const
-{
-    scalar result = 0;
-    for (const clumpParcel& p : *this)
-    {
-        if (type(p).hasSurface())
-        {
-            continue;
-        }
-        result += type(p).mass() - fluidDensity()*sum(type(p).volumes());
-    }
-    return result;
-}
-
-
-void Foam::deformableCloud::prepareMeshChange()
-{
-    updateGhosts();
-    coupling_->boundary().setCloseness(ghosts_.images());
-    storeGlobalPositions();
-}
-
-
-void Foam::deformableCloud::meshChanged()
-{
-    ghosts_.meshChanged();
-    contacting_.meshChanged();
-    coupling_->boundary().meshChanged();
-    if (coupling_->surfaces())
-    {
-        coupling_->surfaces()->meshChanged();
-    }
-    decisions_.renewWalls(ghosts_);
-    injector_->meshChanged();
-    openPatches_.clear();
 }

@@ -5,35 +5,28 @@
 
 #include "effectDecisions.H"
 #include "checkedEntries.H"
+#include "clumpTotals.H"
 
 Foam::effectDecisions::effectDecisions
 (
-    const fvMesh& mesh,
-    const dictionary& clumpProperties,
-    const PtrList<clumpType>& types,
-    sceneEffects& effects,
+    const clumpSuspension& clumps,
     const clumpContacts& contacts,
     wallContacts& walls,
     gapForces& gaps
 )
 :
-    mesh_(mesh),
-    dict_(clumpProperties),
-    types_(types),
-    effects_(effects),
+    clumps_(clumps),
+    effects_(clumps.effects()),
     contacts_(contacts),
     walls_(walls),
     gaps_(gaps)
 {}
 
 
-void Foam::effectDecisions::refuseIdle
-(
-    const vector& g,
-    const bool implicit
-) const
+void Foam::effectDecisions::refuseIdle(const bool implicit) const
 {
-    effects_.require("gravity", mag(g) > 0, "constant/g is absent or zero");
+    const dictionary& dict = clumps_.properties();
+    effects_.require("gravity", mag(clumps_.g()) > 0, "constant/g is absent or zero");
     effects_.require
     (
         "contact", contacts_.active(), "the type of contactModel is none"
@@ -48,11 +41,11 @@ void Foam::effectDecisions::refuseIdle
     {
         const string idle
         (
-            model->idleReason(Foam::cbrt(gMax(mesh_.V().field())))
+            model->idleReason(Foam::cbrt(gMax(clumps_.mesh().V().field())))
         );
         if (idle.size())
         {
-            FatalIOErrorInFunction(getDict(dict_, "lubrication"))
+            FatalIOErrorInFunction(getDict(dict, "lubrication"))
                 << idle.c_str() << exit(FatalIOError);
         }
     }
@@ -62,7 +55,7 @@ void Foam::effectDecisions::refuseIdle
      && !implicit
     )
     {
-        FatalIOErrorInFunction(getDict(dict_, "integrator"))
+        FatalIOErrorInFunction(getDict(dict, "integrator"))
             << "Entries 'friction' and 'rollingFriction' of a contact model need an"
             << " implicit integrator. Valid here: implicitEuler" << exit(FatalIOError);
     }
@@ -72,7 +65,7 @@ void Foam::effectDecisions::refuseIdle
      && !implicit
     )
     {
-        FatalIOErrorInFunction(getDict(dict_, "lubrication"))
+        FatalIOErrorInFunction(getDict(dict, "lubrication"))
             << "Entry 'lubrication' needs an implicit integrator: the resistance"
             << " of a narrow gap would limit the step of an explicit one. Valid"
             << " here: implicitEuler" << exit(FatalIOError);
@@ -80,30 +73,25 @@ void Foam::effectDecisions::refuseIdle
 }
 
 
-void Foam::effectDecisions::decide
-(
-    const Cloud<clumpParcel>& clumps,
-    const label nClumps,
-    const ghostExchange& ghosts,
-    const vector& g,
-    const scalar rho
-)
+void Foam::effectDecisions::decide()
 {
-    decideGravity(g, rho);
-    decideContact(clumps, nClumps, ghosts);
-    decideWalls(clumps, ghosts);
+    decideGravity();
+    decideContact();
+    decideWalls();
     decideLubrication();
 }
 
 
-void Foam::effectDecisions::decideGravity(const vector& g, const scalar rho)
+void Foam::effectDecisions::decideGravity()
 {
     if (!effects_.automatic("gravity"))
     {
         return;
     }
+    const vector& g = clumps_.g();
+    const scalar rho = clumps_.fluidDensity();
     scalar excess = 0;
-    for (const clumpType& ct : types_)
+    for (const clumpType& ct : clumps_.types())
     {
         excess = max(excess, mag(ct.mass() - rho*ct.volume())/ct.mass());
     }
@@ -119,12 +107,7 @@ void Foam::effectDecisions::decideGravity(const vector& g, const scalar rho)
 }
 
 
-void Foam::effectDecisions::decideContact
-(
-    const Cloud<clumpParcel>& clumps,
-    const label nClumps,
-    const ghostExchange& ghosts
-)
+void Foam::effectDecisions::decideContact()
 {
     if (!effects_.automatic("contact"))
     {
@@ -134,22 +117,23 @@ void Foam::effectDecisions::decideContact
     {
         effects_.decide("contact", false, "contactModel none");
     }
-    else if (nClumps < 2 && !ghosts.meetsItself())
+    else if (clumps_.nClumps() < 2 && !clumps_.ghosts().meetsItself())
     {
         effects_.decide
         (
             "contact", false,
-            nClumps ? "one clump in the domain" : "no clump in the domain"
+            clumps_.nClumps() ? "one clump in the domain" : "no clump in the domain"
         );
     }
     else
     {
+        const ghostExchange& ghosts = clumps_.ghosts();
         const bool near = returnReduce
         (
             contacts_.near
             (
-                ghosts.images(), ghosts.nOwn(), mesh_.time().deltaTValue(),
-                gapRange(clumps)
+                ghosts.images(), ghosts.nOwn(),
+                clumps_.mesh().time().deltaTValue(), gapRange()
             ),
             orOp<bool>()
         );
@@ -161,17 +145,13 @@ void Foam::effectDecisions::decideContact
 }
 
 
-void Foam::effectDecisions::decideWalls
-(
-    const Cloud<clumpParcel>& clumps,
-    const ghostExchange& ghosts
-)
+void Foam::effectDecisions::decideWalls()
 {
     if (!effects_.automatic("walls"))
     {
         if (effects_.active("walls"))
         {
-            walls_.update(ghosts);
+            walls_.update(clumps_.ghosts());
         }
         return;
     }
@@ -180,27 +160,22 @@ void Foam::effectDecisions::decideWalls
         effects_.decide("walls", false, "wallContactModel none");
         return;
     }
-    walls_.update(ghosts);
-    scalar speed = 0;
-    for (const clumpParcel& p : clumps)
-    {
-        speed = max(speed, max(mag(p.state().u)));
-    }
-    reduce(speed, maxOp<scalar>());
-    const scalar displacement = speed*mesh_.time().deltaTValue();
-    if (walls_.gapMeasured(clumps, displacement, gapRange(clumps)))
+    walls_.update(clumps_.ghosts());
+    const scalar displacement =
+        maxSpeed(clumps_)*clumps_.mesh().time().deltaTValue();
+    if (walls_.gapMeasured(clumps_, displacement, gapRange()))
     {
         effects_.decide("walls", walls_.near(), walls_.gap());
     }
 }
 
 
-void Foam::effectDecisions::renewWalls(const ghostExchange& ghosts)
+void Foam::effectDecisions::renewWalls()
 {
     walls_.clear();
     if (effects_.active("walls"))
     {
-        walls_.update(ghosts);
+        walls_.update(clumps_.ghosts());
     }
 }
 
@@ -218,19 +193,16 @@ Foam::string Foam::effectDecisions::lubricationIdle() const
 }
 
 
-Foam::scalar Foam::effectDecisions::gapRange
-(
-    const Cloud<clumpParcel>& clumps
-) const
+Foam::scalar Foam::effectDecisions::gapRange() const
 {
     if (effects_.switchedOff("lubrication") || lubricationIdle().size())
     {
         return 0;
     }
     scalar width = 0;
-    for (const clumpParcel& p : clumps)
+    for (const clumpParcel& p : clumps_)
     {
-        width = max(width, Foam::cbrt(mesh_.V()[p.cell()]));
+        width = max(width, Foam::cbrt(clumps_.mesh().V()[p.cell()]));
     }
     return gaps_.model()->range(returnReduce(width, maxOp<scalar>()));
 }

@@ -5,7 +5,7 @@
 
 #include "sceneScales.H"
 #include "anyNumber.H"
-#include "deformableCloud.H"
+#include "clumpSuspension.H"
 #include "IOdictionary.H"
 #include "mathematicalConstants.H"
 
@@ -97,7 +97,7 @@ scalar givenSpeed(const dictionary& clumpProperties)
 
 
 //- Warn where a mesh cell is too large for the spheres of a type
-void warnOfCoarseMesh(const deformableCloud& cloud, const fvMesh& mesh)
+void warnOfCoarseMesh(const clumpSuspension& cloud, const fvMesh& mesh)
 {
     const scalarField width(Foam::cbrt(mesh.V().field()));
     const scalar largest = gMax(width);
@@ -249,9 +249,9 @@ Foam::scalar Foam::stressOfShear(const membraneMechanics& membrane)
 }
 
 
-void Foam::reportScales(const deformableCloud& cloud)
+void Foam::reportScales(const clumpSuspension& cloud)
 {
-    const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
+    const fvMesh& mesh = cloud.mesh();
     scalar least = GREAT;
     scalar most = 0;
     Pair<scalar> densities(GREAT, 0);

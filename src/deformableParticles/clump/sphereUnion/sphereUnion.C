@@ -78,6 +78,17 @@ tensor frame
 }
 
 
+//- The plane between sphere i and sphere j
+struct dividingPlane
+{
+    label j;
+    scalar a;           // d.n times its distance along n from the centre of i [m2]
+    scalar w;           // see weightOfPlane
+    scalar slope;       // dw/d|d|, d = x_j - x_i [1/m]
+    perDirection y;     // r d.n/a, 0 where it is negative
+};
+
+
 //- Weight of the plane between two spheres at a distance of x times the sum of their
 //  radii: 1 where they touch, 0 from 1.5 times that distance on, with two continuous
 //  derivatives. slope: dw/dx
@@ -177,10 +188,7 @@ Foam::scalar Foam::sphereUnion::smoothVolume
 
     grad = Zero;
     scalar result = 0;
-    DynamicList<label> near;
-    DynamicList<scalar> a, w, slope;
-    std::vector<perDirection, Eigen::aligned_allocator<perDirection>>
-        y;                          // r d.n/a, 0 where it is negative
+    std::vector<dividingPlane, Eigen::aligned_allocator<dividingPlane>> planes;
     perDirection S, t3, y2, y4, y15;
 
     forAll(x, i)
@@ -188,11 +196,7 @@ Foam::scalar Foam::sphereUnion::smoothVolume
         const scalar r = radii[i];
         const tensor T(frame(x, centre, i));
 
-        near.clear();
-        a.clear();
-        w.clear();
-        slope.clear();
-        y.clear();
+        planes.clear();
         S = 1;
         forAll(x, j)
         {
@@ -203,19 +207,18 @@ Foam::scalar Foam::sphereUnion::smoothVolume
             {
                 continue;
             }
-            scalar dw;
-            w.append(weightOfPlane(Foam::sqrt(d2)/touch, dw));
-            slope.append(dw/touch);
-            near.append(j);
-            a.append(max(0.5*(d2 + sqr(r) - sqr(radii[j])), 1e-6*sqr(r)));
+            planes.emplace_back();
+            dividingPlane& plane = planes.back();
+            plane.j = j;
+            plane.w = weightOfPlane(Foam::sqrt(d2)/touch, plane.slope);
+            plane.slope /= touch;
+            plane.a = max(0.5*(d2 + sqr(r) - sqr(radii[j])), 1e-6*sqr(r));
+            const vector along(r/plane.a*(T & d));
+            plane.y =
+                (n*column(along.x(), along.y(), along.z())).array().max(0.0);
 
             // The sum of y^16 is dominated by the nearest plane
-            const vector dLocal(r/a.last()*(T & d));
-            y.emplace_back
-            (
-                (n*column(dLocal.x(), dLocal.y(), dLocal.z())).array().max(0.0)
-            );
-            S += w.last()*y.back().square().square().square().square();
+            S += plane.w*plane.y.square().square().square().square();
         }
 
         // t^3 = r^3 S^(-3/16)
@@ -225,20 +228,20 @@ Foam::scalar Foam::sphereUnion::smoothVolume
 
         // d(t^3/3) = -t^3/S sum_j y^16 (w (n.delta/(d.n) - d.delta/a)
         //   + dw/dd d.delta/(16 |d|)), delta = dx_j - dx_i
-        forAll(near, k)
+        for (const dividingPlane& plane : planes)
         {
-            y2 = y[k].square();
+            y2 = plane.y.square();
             y4 = y2.square();
-            y15 = weight*t3*y4.square()*y4*y2*y[k];
+            y15 = weight*t3*y4.square()*y4*y2*plane.y;
 
-            const column along(w[k]*r/a[k]*(n.transpose()*y15.matrix()));
-            const vector d(x[near[k]] - x[i]);
+            const column along(plane.w*r/plane.a*(n.transpose()*y15.matrix()));
+            const vector d(x[plane.j] - x[i]);
             const vector g
             (
-                (y15*y[k]).sum()*(w[k]/a[k] - slope[k]/(16*mag(d)))*d
+                (y15*plane.y).sum()*(plane.w/plane.a - plane.slope/(16*mag(d)))*d
               - (T.T() & vector(along[0], along[1], along[2]))
             );
-            grad[near[k]] += g;
+            grad[plane.j] += g;
             grad[i] -= g;
         }
     }

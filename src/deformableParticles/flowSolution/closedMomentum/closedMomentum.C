@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "closedMomentum.H"
+#include "clumpTotals.H"
 #include "surfaceFields.H"
 
 namespace
@@ -57,7 +58,7 @@ Foam::closedMomentum::closedMomentum
 
 void Foam::closedMomentum::correct()
 {
-    if (!flowIsClosed_ || cloud_.someFixed())
+    if (!flowIsClosed_ || someFixed(cloud_))
     {
         return;
     }
@@ -66,10 +67,10 @@ void Foam::closedMomentum::correct()
     const scalar rho = cloud_.fluidDensity();
     const scalar dt = U.time().deltaTValue();
 
-    const clumpMomentum& m = cloud_.momentum();
+    const clumpMomentum& m = cloud_.motion().momentum();
     const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
     vector excess(rho*sum(V*change)/dt + m.rate - m.interior - m.applied);
-    scalar mass = rho*sum(V) + cloud_.excessMass();
+    scalar mass = rho*sum(V) + excessMass(cloud_);
     reduce(excess, sumOp<vector>());
     reduce(mass, sumOp<scalar>());
 
@@ -77,5 +78,5 @@ void Foam::closedMomentum::correct()
     U.primitiveFieldRef() += dU;
     U.correctBoundaryConditions();
     flow_.phi() += dimensionedVector("dU", dimVelocity, dU) & U.mesh().Sf();
-    cloud_.changeVelocities(dU);
+    cloud_.motion().changeVelocities(dU);
 }

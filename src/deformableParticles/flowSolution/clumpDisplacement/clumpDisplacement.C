@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpDisplacement.H"
+#include "clumpTotals.H"
 #include "deformableCloud.H"
 #include "foamCompat.H"
 #include "nearestCentres.H"
@@ -99,7 +100,7 @@ Foam::tmp<Foam::volVectorField> Foam::clumpDisplacement
     const scalar half = 0.5*mesh.time().deltaTValue();
     pointField from(cloud.size());
     vectorField by(cloud.size());
-    const scalar reach = 3*cloud.largestDiameter();
+    const scalar reach = 3*largestDiameter(cloud);
     label index = 0;
     for (const clumpParcel& p : cloud)
     {

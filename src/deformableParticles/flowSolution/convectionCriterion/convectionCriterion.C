@@ -5,6 +5,7 @@
 
 #include "convectionCriterion.H"
 #include "StringStream.H"
+#include "clumpTotals.H"
 
 Foam::convectionCriterion::convectionCriterion
 (
@@ -20,7 +21,7 @@ Foam::convectionCriterion::convectionCriterion
         max
         (
             Foam::cbrt(gSum(refCast<const fvMesh>(cloud.pMesh()).V())),
-            cloud.largestDiameter()
+            largestDiameter(cloud)
         )
     )
 {}

@@ -5,6 +5,7 @@
 
 #include "couplingIteration.H"
 #include "clumpDisplacement.H"
+#include "clumpTotals.H"
 #include "mathematicalConstants.H"
 #include "StringStream.H"
 
@@ -183,7 +184,7 @@ void Foam::couplingIteration::beginStep()
     {
         flow_.carryPressure(d);
     }
-    flow_.carryVelocity(d, cloud_.largestDiameter());
+    flow_.carryVelocity(d, largestDiameter(cloud_));
 }
 
 

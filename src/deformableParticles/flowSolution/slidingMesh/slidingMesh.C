@@ -5,6 +5,7 @@
 
 #include "slidingMesh.H"
 #include "cellSetOption.H"
+#include "clumpTotals.H"
 #include <Eigen/Eigenvalues>
 
 namespace
@@ -178,7 +179,7 @@ Foam::string Foam::slidingMesh::obstacle()
     {
         return "clumps may enter or leave";
     }
-    if (mag(alongBoundary(U.mesh(), cloud_.held())) == 0)
+    if (mag(alongBoundary(U.mesh(), cloud_.motion().held())) == 0)
     {
         return "a clump is held";
     }
@@ -219,8 +220,8 @@ void Foam::slidingMesh::beginStep()
         const vector fluid(U().weightedAverage(U.mesh().V()).value());
 
         // Of the present mesh: where it is refined, the normals change by round-off
-        const tensor along(alongBoundary(U.mesh(), cloud_.held()));
-        const vector u(along & cloud_.meanVelocity());
+        const tensor along(alongBoundary(U.mesh(), cloud_.motion().held()));
+        const vector u(along & meanVelocity(cloud_));
         const vector q((along & fluid) - u);
 
         const vector V(u + 0.05*min(scalar(1), dx/dt/max(mag(q), VSMALL))*q);

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpShape.H"
+#include "clumpTotals.H"
 #include "deformableCloud.H"
 #include "sphereUnion.H"
 #include "symmTensorField.H"
@@ -96,7 +97,7 @@ bool Foam::functionObjects::clumpShape::read(const dictionary& dict)
         const label last =
             functionObject::postProcess
           ? labelMax
-          : deformableCloud::find(mesh_, dict).mostSpheres() - 1;
+          : mostSpheres(deformableCloud::find(mesh_, dict)) - 1;
         marked_ = getNumber(dict, "marked", 0, last);
     }
     return clumpTable::read(dict);

@@ -53,7 +53,7 @@ bool Foam::functionObjects::contactStress::write()
             << " table is written" << endl;
         return true;
     }
-    const contactSummary& own = cloud().contacts();
+    const contactSummary& own = cloud().motion().contacts();
     const vector& e = axes().flow;
     const vector& g = axes().gradient;
     const vector& w = axes().vorticity;

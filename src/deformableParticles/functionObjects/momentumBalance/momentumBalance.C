@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "momentumBalance.H"
+#include "clumpTotals.H"
 #include "deformableCloud.H"
 #include "meanVelocityGradient.H"
 #include "fvOptions.H"
@@ -224,7 +225,7 @@ void Foam::functionObjects::momentumBalance::findTerms
     const auto& U = mesh_.lookupObject<volVectorField>("U");
     const bool convection = cloud.effects().active("convection");
 
-    clumps_ = cloud.momentum();
+    clumps_ = cloud.motion().momentum();
     for
     (
         vector* term :
@@ -274,11 +275,11 @@ void Foam::functionObjects::momentumBalance::findTerms
 
     momentum_ =
         gSum(rho*V*U.primitiveField())
-      + returnReduce(cloud.excessMomentum(), sumOp<vector>());
+      + returnReduce(excessMomentum(cloud), sumOp<vector>());
     if (impulseSize_ == 0)
     {
         const scalar mass =
-            rho*gSum(V) + returnReduce(cloud.excessMass(), sumOp<scalar>());
+            rho*gSum(V) + returnReduce(excessMass(cloud), sumOp<scalar>());
         start_ =
             momentum_ - mass*clumps_.correction
           - dt*(fluidRate_ + clumps_.rate - clumps_.interior);

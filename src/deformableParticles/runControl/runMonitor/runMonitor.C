@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "runMonitor.H"
+#include "clumpTotals.H"
 #include "functionNames.H"
 #include "logBuffer.H"
 
@@ -58,7 +59,7 @@ void Foam::runMonitor::start() const
     effects_.print(Info);
     if (cloud_.coupled())
     {
-        accuracy_.print(Info, cloud_.mostSpheres(), cloud_.cellsPerDiameter());
+        accuracy_.print(Info, mostSpheres(cloud_), cellsPerDiameter(cloud_));
     }
 
     // Fields of a time directory

@@ -57,7 +57,7 @@ void Foam::stepReport::printOverlaps() const
     const sceneEffects& effects = cloud_.effects();
     if (effects.active("contact") || effects.active("walls"))
     {
-        const Pair<scalar> overlaps(cloud_.overlaps());
+        const Pair<scalar> overlaps(cloud_.motion().overlaps());
         Info<< "Overlap max: clumps " << 100*overlaps.first() << " %, walls "
             << 100*overlaps.second() << " % of the radius" << nl;
     }

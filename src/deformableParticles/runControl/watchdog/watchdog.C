@@ -5,6 +5,7 @@
 
 #include "watchdog.H"
 #include "checkedEntries.H"
+#include "clumpTotals.H"
 #include "flowDriving.H"
 #include "foamCompat.H"
 #include "fvcDiv.H"
@@ -143,7 +144,7 @@ Foam::scalar Foam::watchdog::driving
 {
     return max
     (
-        max(cloud_.maxSpeed(), flowDriving::speed(U, p, phi)),
+        max(maxSpeed(cloud_), flowDriving::speed(U, p, phi)),
         roundingSpeed(U.mesh())
     );
 }
@@ -272,7 +273,7 @@ Foam::string Foam::watchdog::throughWalls()
 {
     // A sphere that has gone through in this step had its centre behind the wall
     // before; now the wall may not act on it any more
-    deep_ = cloud_.overlaps().second() > 1;
+    deep_ = cloud_.motion().overlaps().second() > 1;
     OStringStream said;
     for (const clumpParcel& p : cloud_)
     {
@@ -296,7 +297,7 @@ Foam::string Foam::watchdog::throughWalls()
             vector away;
             if
             (
-                cloud_.walls().surface().nearest(x[i], 4*r, height, away)
+                cloud_.motion().walls().surface().nearest(x[i], 4*r, height, away)
              && height < -r
             )
             {
@@ -347,7 +348,7 @@ Foam::string Foam::watchdog::thrown()
         OStringStream name;
         name<< "    clump " << p.origId() << " at "
             << p.position() + s.centre(type) << ": ";
-        if (cloud_.passing().size() && cloud_.passing()[index++])
+        if (cloud_.motion().passing().size() && cloud_.motion().passing()[index++])
         {
             said<< name.str().c_str() << "passes through another clump in one step"
                 << nl;
@@ -419,7 +420,7 @@ bool Foam::watchdog::curable() const
 void Foam::watchdog::check()
 {
     deepBefore_ = deep_;
-    halve(cloud_.needsShorterStep());
+    halve(cloud_.motion().needsShorterStep());
     stop(wrong_, remedy_);
 }
 

@@ -1,0 +1,416 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpMotion.H"
+#include "clumpTotals.H"
+#include "mathematicalConstants.H"
+#include "vector2D.H"
+
+Foam::clumpMotion::clumpMotion
+(
+    clumpSuspension& clumps,
+    cloudMembranes& membranes
+)
+:
+    clumps_(clumps),
+    membranes_(membranes),
+    coupling_(clumps.hasFluid() ? &clumps.coupling() : nullptr),
+    integrator_(selectModel<integrator>(getDict(clumps.properties(), "integrator"))),
+    loads_(clumps.mesh(), clumps.types()),
+    contacts_(clumps.types(), clumps.properties()),
+    walls_(clumps.mesh(), clumps.types(), clumps.properties()),
+    gaps_(clumps.properties()),
+    contacting_
+    (
+        clumps.mesh(), clumps.types(), clumps.bonds(), contacts_, walls_, gaps_
+    ),
+    decisions_(clumps, contacts_, walls_, gaps_),
+    nSolves_(0)
+{
+    const dictionary& dict = clumps.properties();
+    loads_.read
+    (
+        clumps.effects().active("loads") ? &getDict(dict, "loads") : nullptr,
+        clumps.typeIds()
+    );
+    decisions_.refuseIdle(integrator_->implicit());
+    if (surfaceImmersion::wanted(clumps.types()) && decisions_.clumpsMayTouch())
+    {
+        membranes_.contacts().refuseSmallSpheres(getDict(dict, "types"));
+    }
+}
+
+
+void Foam::clumpMotion::refuseOverlaps(const dictionary& placement) const
+{
+    const ghostExchange& ghosts = clumps_.ghosts();
+    if (contacts_.active() && clumps_.effects().active("contact"))
+    {
+        contacts_.refuseOverlaps(ghosts.images(), ghosts.nOwn(), placement);
+    }
+    if (decisions_.clumpsMayTouch())
+    {
+        membranes_.contacts().refuseOverlaps(ghosts, placement);
+    }
+}
+
+
+const Foam::wallSurface* Foam::clumpMotion::wallsOfMembranes()
+{
+    if (!decisions_.wallsMayTouch())
+    {
+        return nullptr;
+    }
+    walls_.update(clumps_.ghosts());
+    return &walls_.surface();
+}
+
+
+void Foam::clumpMotion::setNodeForces()
+{
+    loads_.sample(clumps_.ghosts());
+    label index = -1;
+    for (clumpParcel& p : clumps_)
+    {
+        ++index;
+        if (type(p).hasSurface())
+        {
+            // As in solveOnce
+            externalForces& ext = p.step().forces;
+            ext = externalForces(type(p).size());
+            addWeight(p, ext);
+            loads_.add(p, index, ext);
+        }
+    }
+}
+
+
+void Foam::clumpMotion::solve()
+{
+    const scalar dt = clumps_.mesh().time().deltaTValue();
+    for (clumpParcel& p : clumps_)
+    {
+        p.step().overshootsBefore = p.overshoots();
+    }
+    {
+        const timeBreakdown::timer t(clumps_.timing(), "loads");
+        loads_.sample(clumps_.ghosts());
+    }
+
+    // Those whose coupling coefficient is raised overshoot; a few times suffice
+    constexpr label most = 3;
+    for (label n = 0; n < most; ++n)
+    {
+        solveOnce(dt);
+        if (!clumps_.coupled() || !adaptCoupling(dt, n > 0))
+        {
+            break;
+        }
+    }
+    for (clumpParcel& p : clumps_)
+    {
+        p.step().change = p.step().end.u - p.step().imposedU;
+    }
+}
+
+
+bool Foam::clumpMotion::adaptCoupling
+(
+    const scalar dt,
+    const bool repeated
+)
+{
+    bool again = false;
+    for (clumpParcel& p : clumps_)
+    {
+        again = coupling_->adapt(p, dt, repeated) || again;
+    }
+    return returnReduce(again, orOp<bool>());
+}
+
+
+void Foam::clumpMotion::solveOnce(const scalar dt)
+{
+    momentum_ = clumpMomentum();
+    passing_.clear();
+    contactSummary_ = contactSummary();
+    for (clumpParcel& p : clumps_)
+    {
+        if (!clumps_.coupled())
+        {
+            p.step().begin(p.state());
+        }
+        setSteadyForces(p, dt);
+        p.step().holdForce = Zero;
+    }
+
+    label n = 0;
+    do
+    {
+        advanceAll(dt);
+    }
+    while (loads_.changeHolds(clumps_, dt, n++));
+
+    for (clumpParcel& p : clumps_)
+    {
+        clumpStep& step = p.step();
+        if (!type(p).fixed() && !type(p).hasSurface())
+        {
+            momentum_.addStep(type(p), p.state(), step);
+        }
+        step.guessed = true;
+    }
+    endCorrector(dt);
+}
+
+
+void Foam::clumpMotion::advanceAll(const scalar dt)
+{
+    for (clumpParcel& p : clumps_)
+    {
+        clumpStep& step = p.step();
+        if (step.guessed)
+        {
+            // Bonds that broke in a solution that was not accepted
+            step.end.broken = p.state().broken;
+        }
+        step.forces = step.steadyForces;
+        step.forces.f += type(p).masses()/type(p).mass()*step.holdForce;
+    }
+    if (!loads_.empty())
+    {
+        const timeBreakdown::timer t(clumps_.timing(), "loads");
+        label index = 0;
+        for (clumpParcel& p : clumps_)
+        {
+            loads_.add(p, index++, p.step().forces);
+        }
+    }
+
+    if (clumps_.effects().active("contact") || clumps_.effects().active("walls"))
+    {
+        advanceTogether(dt);
+    }
+    else
+    {
+        const timeBreakdown::timer t(clumps_.timing(), "clumps");
+        for (clumpParcel& p : clumps_)
+        {
+            advance(p, dt);
+        }
+    }
+}
+
+
+void Foam::clumpMotion::addWeight
+(
+    const clumpParcel& p,
+    externalForces& ext
+) const
+{
+    if (clumps_.effects().active("gravity"))
+    {
+        const timeBreakdown::timer t(clumps_.timing(), "gravity");
+        const scalar rho = clumps_.fluidDensity();
+        const clumpType& ct = type(p);
+        if (ct.hasSurface())
+        {
+            ext.f += membranes_.weight(p, rho, clumps_.g());
+        }
+        else
+        {
+            ext.f += ct.excessMasses(rho, p.state().x)*clumps_.g();
+        }
+    }
+}
+
+
+void Foam::clumpMotion::setSteadyForces
+(
+    clumpParcel& p,
+    const scalar dt
+)
+{
+    const clumpType& ct = type(p);
+    externalForces& ext = p.step().steadyForces;
+    ext = externalForces(ct.size());
+
+    addWeight(p, ext);
+    if (ct.hasSurface())
+    {
+        momentum_.addFluid(p, vectorField());
+        return;
+    }
+    if (clumps_.hasFluid())
+    {
+        coupling_->addForces(p, dt, ext);
+    }
+    if (clumps_.coupled())
+    {
+        momentum_.addFluid(p, coupling_->interiorForces(p, dt));
+    }
+    const externalForces& ofMembranes = p.step().ofMembranes;
+    if (ofMembranes.f.size())
+    {
+        ext.f += ofMembranes.f;
+        ext.k += ofMembranes.k;
+    }
+}
+
+
+void Foam::clumpMotion::advance(clumpParcel& p, const scalar dt)
+{
+    clumpState& end = p.step().end;
+    end = p.state();
+    p.step().guessed = false;
+    if (type(p).fixed())
+    {
+        return;
+    }
+    if (type(p).hasSurface())
+    {
+        membranes_.advance(p, coupling_->viscosity());
+        ++nSolves_;
+        return;
+    }
+    integrator_->advance(clumps_.bonds(p), p.step().forces, dt, end);
+    ++nSolves_;
+}
+
+
+void Foam::clumpMotion::endCorrector(const scalar dt)
+{
+    momentum_.finish(dt);
+    for (clumpParcel& p : clumps_)
+    {
+        clumpStep& step = p.step();
+        step.end.a =
+            type(p).hasSurface()
+          ? membraneStep::acceleration(p, dt, clumps_.mesh().time().deltaT0Value())
+          : vectorField((step.end.u - step.imposedU)/dt);
+        step.end.b = (step.end.w - step.imposedW)/dt;
+    }
+}
+
+
+void Foam::clumpMotion::accept(const vector& flowChange)
+{
+    const scalar dt = clumps_.mesh().time().deltaTValue();
+    for (clumpParcel& p : clumps_)
+    {
+        p.accept(type(p), dt*clumps_.meshVelocity(), flowChange);
+    }
+    contacting_.forget();
+}
+
+
+void Foam::clumpMotion::changeVelocities(const vector& dU)
+{
+    for (clumpParcel& p : clumps_)
+    {
+        p.state().u += dU;
+    }
+    momentum_.correction = dU;
+}
+
+
+void Foam::clumpMotion::meshChanged()
+{
+    contacting_.meshChanged();
+    decisions_.renewWalls();
+}
+
+
+Foam::symmTensor Foam::clumpMotion::held() const
+{
+    symmTensor result(Zero);
+    if (someFixed(clumps_))
+    {
+        result += symmTensor(I);
+    }
+    return result + loads_.held();
+}
+
+
+Foam::scalar Foam::clumpMotion::releaseStep(const scalar radii)
+{
+    const bool heavy = clumps_.effects().active("gravity");
+    if (!heavy && loads_.empty())
+    {
+        return GREAT;
+    }
+    const scalar pi = constant::mathematical::pi;
+    const scalar rho = clumps_.fluidDensity();
+    const scalar nu =
+        clumps_.hasFluid()
+      ? gMin(clumps_.mesh().lookupObject<volScalarField>("nu").primitiveField()) : 0;
+
+    if (!loads_.empty())
+    {
+        for (clumpParcel& p : clumps_)
+        {
+            p.step().ahead = Zero;
+        }
+        clumps_.updateGhosts();
+        loads_.sample(clumps_.ghosts());
+    }
+
+    scalar result = GREAT;
+    label index = -1;
+    for (const clumpParcel& p : clumps_)
+    {
+        const clumpType& ct = type(p);
+        ++index;
+        if (ct.fixed())
+        {
+            continue;
+        }
+        vector F(Zero);
+        if (heavy)
+        {
+            F += (ct.mass() - rho*ct.volume())*clumps_.g();
+        }
+        F += loads_.steadyForce(p, index);
+
+        const scalar size = max(mag(F), VSMALL);
+        const scalar way = radii*ct.halfWidth();
+        scalar step = Foam::sqrt(way*ct.mass()/size);
+        if (clumps_.hasFluid())
+        {
+            const scalar R = Foam::cbrt(0.75*ct.volume()/pi);
+            const scalar slow = size/(6*pi*rho*nu*R);
+            const scalar u =
+                2*slow/(1 + Foam::sqrt(1 + 4*slow*R/(30*nu)));
+            step = max(step, way/u);
+        }
+        result = min(result, step);
+    }
+    return returnReduce(result, minOp<scalar>());
+}
+
+
+Foam::Pair<Foam::scalar> Foam::clumpMotion::overlaps() const
+{
+    const vector2D deepest
+    (
+        returnReduce
+        (
+            vector2D(contactSummary_.deepest, contactSummary_.deepestOfWall),
+            maxOp<vector2D>()
+        )
+    );
+    return Pair<scalar>(deepest.x(), deepest.y());
+}
+
+
+bool Foam::clumpMotion::needsShorterStep() const
+{
+    bool needs = false;
+    for (const clumpParcel& p : clumps_)
+    {
+        needs = needs || p.step().needsShorterStep;
+    }
+    return clumps_.coupled() && returnReduce(needs, orOp<bool>());
+}

@@ -1,0 +1,107 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpMotion.H"
+
+void Foam::clumpMotion::findContacts(const scalar dt, const scalar slack)
+{
+    const bool betweenClumps = clumps_.effects().active("contact");
+    const bool atWalls = clumps_.effects().active("walls");
+    if (clumps_.coupled())
+    {
+        gaps_.setViscosity(coupling_->viscosity());
+    }
+    if (atWalls)
+    {
+        walls_.updateMotions(clumps_.ghosts());
+    }
+
+    // In further outer correctors the clumps are still where the step began
+    if (contacting_.resume(dt, slack, betweenClumps, atWalls))
+    {
+        return;
+    }
+    {
+        const timeBreakdown::timer t
+        (
+            clumps_.timing(), betweenClumps ? "contact" : "walls"
+        );
+        contacting_.find(clumps_, dt, slack, betweenClumps);
+    }
+    if (atWalls)
+    {
+        const timeBreakdown::timer t(clumps_.timing(), "walls");
+        contacting_.findPlanes();
+    }
+    contacting_.endSearch();
+}
+
+
+void Foam::clumpMotion::advanceTogether(const scalar dt)
+{
+    // A tenth of a radius on either side finds the contacts of a steady motion
+    scalar slack = 0;
+    for (const clumpType& ct : clumps_.types())
+    {
+        slack = max(slack, 0.1*min(ct.radii()));
+    }
+
+    // Those that touch at the start or did so in the last outer corrector
+    boolList together(clumps_.size(), false);
+    for (clumpParcel& p : clumps_)
+    {
+        if (!p.step().guessed)
+        {
+            p.step().end = p.state();
+        }
+    }
+    findContacts(dt, slack);
+    slack = contacting_.slack();
+    bool any = contacting_.addTouching(together);
+
+    label index = 0;
+    {
+        const timeBreakdown::timer t(clumps_.timing(), "clumps");
+        for (clumpParcel& p : clumps_)
+        {
+            if (!together[index++])
+            {
+                advance(p, dt);
+            }
+        }
+    }
+
+    // And those that do on their way
+    for (bool solved = false; true; )
+    {
+        const bool added = contacting_.addTouching(together);
+        any = any || added;
+        if (any && (added || !solved))
+        {
+            const timeBreakdown::timer t(clumps_.timing(), "clumps");
+            nSolves_ += integrator_->advance(contacting_, dt);
+            index = 0;
+            for (clumpParcel& p : clumps_)
+            {
+                p.step().guessed = together[index++];
+            }
+            solved = true;
+            continue;
+        }
+
+        const scalar deviation = contacting_.deviation();
+        if (deviation <= slack)
+        {
+            break;
+        }
+        slack = 1.5*deviation;
+        findContacts(dt, slack);
+        solved = false;
+    }
+
+    contacting_.addReceived();
+    passing_ = contacting_.passing();
+    contactSummary_ = contacting_.summary();
+}

@@ -1,0 +1,140 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpSuspension.H"
+#include "clumpFields.H"
+#include "clumpInjector.H"
+
+const Foam::clumpInjector& Foam::clumpSuspension::injector() const
+{
+    return *injector_;
+}
+
+
+void Foam::clumpSuspension::setOwnImages()
+{
+    UList<clumpImage>& images = ghosts_.own(size());
+    label index = 0;
+    for (const clumpParcel& p : *this)
+    {
+        images[index].set
+        (
+            p, type(p), p.state(), index, p.step().ahead, p.step().span
+        );
+        ++index;
+    }
+}
+
+
+void Foam::clumpSuspension::setPresence()
+{
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        clumpImage& image = ghosts_.images()[index++];
+        image.presence = openPatches_.presence(type(p), image.x);
+        p.step().presence = image.presence;
+    }
+}
+
+
+void Foam::clumpSuspension::updateGhosts()
+{
+    const timeBreakdown::timer t(timing_, "ghosts");
+    setOwnImages();
+    ghosts_.updateNeighbours();
+    openPatches_.update(ghosts_);
+    if (coupled())
+    {
+        setPresence();
+        label index = 0;
+        for (const clumpParcel& p : *this)
+        {
+            coupling_->setRotation(ghosts_.images()[index++], p.state());
+        }
+    }
+    ghosts_.exchange();
+}
+
+
+void Foam::clumpSuspension::removeLeaving()
+{
+    if (openPatches_.empty())
+    {
+        return;
+    }
+    for (clumpParcel& p : *this)
+    {
+        const clumpType& ct = type(p);
+        const openPatches::place at
+        (
+            openPatches_.nearest(ct, p.centres(), ct.reach())
+        );
+        if
+        (
+            at.gap <= 0 && !ct.fixed()
+         && (p.state().velocity(ct) & at.inwards) < 0
+        )
+        {
+            count_.leave(p, at.patchi);
+            deleteParticle(p);
+        }
+    }
+}
+
+
+bool Foam::clumpSuspension::transfer()
+{
+    const timeBreakdown::timer t(timing_, "clumps");
+    if (coupled())
+    {
+        coupling_->report(*this, nClumps());
+    }
+    removeLeaving();
+    const scalar dt = mesh_.time().deltaTValue();
+    for (clumpParcel& p : *this)
+    {
+        p.slideBack(dt*meshVelocity_);
+        p.recentre(type(p));
+    }
+    clumpParcel::trackingData td(*this);
+    td.reached = [this](const clumpParcel& p, const label patchi)
+    {
+        if (openPatches_.found(patchi))
+        {
+            count_.leave(p, patchi);
+        }
+    };
+    Cloud<clumpParcel>::move(*this, td, dt);
+    const bool others = injector_->inject(*this, count_) > 0;
+    count_.endStep(size());
+    return others;
+}
+
+
+void Foam::clumpSuspension::writeFields() const
+{
+    clumpFields::write(*this, types_);
+    writtenTypes::write(name(), mesh_.time(), types_);
+}
+
+
+void Foam::clumpSuspension::writeObjects(objectRegistry& obr) const
+{
+    IOField<label>& typeIds(cloud::createIOField<label>("typeId", size(), obr));
+    IOField<vector>& U(cloud::createIOField<vector>("U", size(), obr));
+    IOField<point>& position
+    (
+        cloud::createIOField<point>("position", size(), obr)
+    );
+    label i = 0;
+    for (const clumpParcel& p : *this)
+    {
+        typeIds[i] = p.typeId();
+        U[i] = p.state().velocity(type(p));
+        position[i] = p.centre(type(p));
+        ++i;
+    }
+}

@@ -1,0 +1,160 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "clumpSuspension.H"
+#include "anyNumber.H"
+#include "clumpInjector.H"
+#include "clumpProperties.H"
+#include "sceneScales.H"
+
+Foam::clumpSuspension::clumpSuspension
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const word& name
+)
+:
+    // No floating point trap while the base class reads the files
+    Cloud<clumpParcel>((anyNumber(), mesh), name, false),
+    mesh_(mesh),
+    dict_(completeClumpProperties(mesh, dict)),
+    membranes_(mesh, types_, dict_),
+    g_(gravityOf(mesh)),
+    effects_(dict_),
+    ghosts_(mesh),
+    openPatches_(mesh, dict_),
+    count_(mesh, types_, name)
+{
+    effects_.decide(dict_, mesh_);
+    readTypes();
+    completeContactModels();
+    if (effects_.active("fluid"))
+    {
+        resetCoupling();
+    }
+    if (surfaceImmersion::wanted(types_) && !coupled())
+    {
+        FatalIOErrorInFunction(getDict(dict_, "types"))
+            << "Entry 'types': a membrane has no inertia of its own and needs a fluid"
+            << " that feels it; without a fluid, or with feedback off or a frozen"
+            << " flow, there are only clumps of spheres." << exit(FatalIOError);
+    }
+}
+
+
+Foam::clumpSuspension::~clumpSuspension()
+{}
+
+
+void Foam::clumpSuspension::readTypes()
+{
+    const dictionary& types = getDict(dict_, "types");
+    const wordList names(types.toc());
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'types' must contain at least one clump type."
+            << exit(FatalIOError);
+    }
+    types_.setSize(names.size());
+    bonds_.setSize(names.size());
+    forAll(names, i)
+    {
+        dictionary type(getDict(types, names[i]));
+        if (effects_.switchedOff("damping"))
+        {
+            type.subDictOrAdd("dampingModel").clear();
+            type.subDict("dampingModel").set("type", word("none"));
+        }
+        if (effects_.switchedOff("conservation"))
+        {
+            type.remove("conservationModel");
+            type.remove("conservationModels");
+        }
+        types_.set(i, new clumpType(names[i], type));
+        bonds_.set(i, new clumpBonds(types_[i], type));
+        membranes_.read(i, type);
+        typeIds_.insert(names[i], i);
+    }
+}
+
+
+Foam::scalar Foam::clumpSuspension::stressOfScene(string& reason) const
+{
+    return contactStress(mesh_, dict_, effects_, g_, types_, bonds_, reason);
+}
+
+
+void Foam::clumpSuspension::completeContactModels()
+{
+    string reason;
+    for (const word family : {"contactModel", "wallContactModel"})
+    {
+        if (!dict_.found(family))
+        {
+            const scalar stress = stressOfScene(reason);
+            dictionary law;
+            law.set("type", "hertz");
+            law.set("allowedOverlap", 0.05);
+            law.set("stress", min(stress, largestEntry));
+            law.set("restitution", 0.5);
+            dict_.add(family, law);
+            Info<< family << ": hertz, with an overlap of 5 % of a radius under "
+                << stress << " Pa, " << reason.c_str() << endl;
+        }
+    }
+    if
+    (
+        membranes_.contacts().needsStress() && surfaceImmersion::wanted(types_)
+     && effects_.active("fluid")
+    )
+    {
+        const scalar stress = stressOfScene(reason);
+        membranes_.setContactStress(stress, reason);
+    }
+}
+
+
+void Foam::clumpSuspension::resetCoupling()
+{
+    coupling_.reset
+    (
+        new fluidCoupling
+        (
+            mesh_, types_, dict_,
+            effects_.active("feedback"),
+            effects_.active("rotation"),
+            effects_.frozen()
+        )
+    );
+}
+
+
+bool Foam::clumpSuspension::readOrPlace()
+{
+    reportScales(*this);
+    const bool restarts = start_.begin(*this, count_);
+    injector_.reset
+    (
+        new clumpInjector
+        (
+            name(), dict_,
+            injection::site{mesh_, ghosts_, types_, typeIds_, hasFluid()}
+        )
+    );
+    injector_->begin(*this);
+    openPatches_.report();
+    updateGhosts();
+    if (dict_.found("injection"))
+    {
+        // Before the first of them is there
+        ghostExchange::checkPatches(mesh_.boundaryMesh());
+    }
+    if (coupled())
+    {
+        coupling_->boundary().checkResolution(ghosts_.images());
+    }
+    return restarts;
+}

@@ -210,7 +210,7 @@ Foam::string Foam::slidingMesh::obstacle()
 }
 
 
-void Foam::slidingMesh::beginStep()
+void Foam::slidingMesh::setVelocity()
 {
     if (cloud_.effects().active("sliding"))
     {
@@ -228,6 +228,15 @@ void Foam::slidingMesh::beginStep()
         const scalar most =
             5*max(dx/dt, gMin(flow_.nu().primitiveField())/dx);
         cloud_.slideMesh(min(scalar(1), most/max(mag(V), VSMALL))*V);
+    }
+}
+
+
+void Foam::slidingMesh::beginStep()
+{
+    setVelocity();
+    if (cloud_.effects().active("sliding"))
+    {
         Info<< "Velocity of the mesh: " << cloud_.meshVelocity() << endl;
     }
 }

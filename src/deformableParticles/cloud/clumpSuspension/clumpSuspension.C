@@ -34,7 +34,8 @@ void Foam::clumpSuspension::setPresence()
     for (clumpParcel& p : *this)
     {
         clumpImage& image = ghosts_.images()[index++];
-        image.presence = openPatches_.presence(type(p), image.x);
+        image.presence =
+            type(p).hasSurface() ? 1 : openPatches_.presence(type(p), image.x);
         p.step().presence = image.presence;
     }
 }

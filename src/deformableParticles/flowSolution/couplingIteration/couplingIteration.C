@@ -5,6 +5,7 @@
 
 #include "couplingIteration.H"
 #include "clumpDisplacement.H"
+#include "clumpInjector.H"
 #include "clumpTotals.H"
 #include "mathematicalConstants.H"
 #include "StringStream.H"
@@ -51,6 +52,7 @@ Foam::couplingIteration::couplingIteration
     {
         return;
     }
+    refuseLaggingContact();
     acceleration_.reset
     (
         new andersonAcceleration
@@ -58,6 +60,29 @@ Foam::couplingIteration::couplingIteration
             flow.control().dict().get<label>("andersonDepth")
         )
     );
+}
+
+
+void Foam::couplingIteration::refuseLaggingContact() const
+{
+    const bool meet = cloud_.nClumps() > 1 || !cloud_.injector().empty();
+    if
+    (
+        flow_.control().nCorrPIMPLE() == 1 && meet
+     && surfaceImmersion::wanted(cloud_.types())
+     && cloud_.motion().decisions().clumpsMayTouch()
+    )
+    {
+        const fvMesh& mesh = flow_.p().mesh();
+        FatalIOErrorInFunction
+        (
+            mesh.solutionDict().subDict(outerCorrectors::dictionaryName(mesh))
+        )   << "Entry 'nOuterCorrectors' is 1 with couplingTolerance 0. Where membranes"
+            << " touch other clumps, each is advanced with the others where they were"
+            << " in the last outer corrector; with a single one this is unstable."
+            << " Remove both entries, or give nOuterCorrectors 2 or more."
+            << exit(FatalIOError);
+    }
 }
 
 

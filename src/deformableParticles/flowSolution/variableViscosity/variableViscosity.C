@@ -50,6 +50,8 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::variableViscosity::stress
         )
     );
     normal_.reset(new volVectorField("normal", interior.normal()));
+    deficit_->checkOut();
+    normal_->checkOut();
     return stress(nu*interior.factor());
 }
 
@@ -64,6 +66,10 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::variableViscosity::stress
     (
         new surfaceScalarField("excess", *nu_ - min(nu))
     );
+
+    // Set anew in every step: a change of the mesh need not map them
+    nu_->checkOut();
+    excess_->checkOut();
     return
         -fvm::laplacian(*nu_, U_, "laplacian(nuEff,U)") - coupling();
 }

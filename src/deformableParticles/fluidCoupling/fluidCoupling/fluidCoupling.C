@@ -121,6 +121,17 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fluidCoupling::forcing
 }
 
 
+Foam::vector Foam::fluidCoupling::forceOnFluid(const volVectorField& U) const
+{
+    vector result(boundary_->forceOnFluid(U, rho_));
+    if (surfaces_.valid())
+    {
+        result += gSum(mesh_.V()*surfaces_->force().primitiveField());
+    }
+    return result;
+}
+
+
 void Foam::fluidCoupling::setRotation
 (
     clumpImage& image,

@@ -240,7 +240,7 @@ void Foam::functionObjects::momentumBalance::findTerms
     const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
     fluidRate_ = rho*gSum(V*(change - clumps_.correction))/dt;
     forcing_ =
-        cloud.boundary().forceOnFluid(U, rho)
+        cloud.coupling().forceOnFluid(U)
       + rho*gSum(V*cloud.boundary().strength().primitiveField())
        *clumps_.correction;
 

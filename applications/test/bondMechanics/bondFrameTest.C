@@ -6,6 +6,7 @@
 #include "testCatch.H"
 #include "testCase.H"
 #include "bondForces.H"
+#include "mathematicalConstants.H"
 
 using namespace Foam;
 
@@ -141,6 +142,46 @@ TEST_CASE("bonds: forces are the gradient of the energy", "[bonds][serial]")
             const scalar expected = c < 3 ? -r*F[i][c] : -T[i][c % 3];
             CHECK(mag(slope - expected) < 1e-6*r*forceScale(clump.bonds));
         }
+    }
+}
+
+
+TEST_CASE("bonds: nothing jumps at half a turn of a bond", "[bonds][serial]")
+{
+    const string bond = GENERATE
+    (
+        "type elastic;",
+        "type strainStiffening; stiffening 0.5;"
+    );
+    const bondedClump clump("cell", cellDict("type dampingRatio; beta 1500;", bond));
+    const clumpType& type = clump.type;
+    Random random(5);
+    const vector axis(normalised(random.sample01<vector>() - 0.5*vector::one));
+
+    // Sphere 3 turns about any axis while the others stay
+    const auto turned = [&](const scalar angle)
+    {
+        clumpState s(type);
+        s.q[3] = rotation(angle*axis)*s.q[3];
+        return s;
+    };
+    const scalar pi = constant::mathematical::pi;
+    const bondForces bonds(clump.bonds, turned(0.9*pi));
+    const scalar dt = 1e-3;
+    vectorField F(type.size()), T(type.size()), f(F), t(T);
+
+    const scalar h = 1e-5;
+    for (const scalar angle : {0.95*pi, pi, 1.05*pi, 1.3*pi, 1.6*pi})
+    {
+        bonds.stepForces(turned(angle), dt, F, T);
+        const scalar slope =
+            (
+                bonds.stepForces(turned(angle + h), dt, f, t)
+              - bonds.stepForces(turned(angle - h), dt, f, t)
+            )/(2*h);
+        INFO("angle over pi " << angle/pi);
+        CHECK(mag(slope + (T[3] & axis)) < 1e-6*mag(T[3]));
+        CHECK(mag(t[3] - T[3]) < 1e-3*mag(T[3]));
     }
 }
 

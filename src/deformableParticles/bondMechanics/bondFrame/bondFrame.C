@@ -38,12 +38,19 @@ inline void halfAngleOverSine
     f = 1 + t*g;
 }
 
+
+//- Of the two quaternions of a rotation, that of the sign which is continuous up to 1.7 pi
+inline Foam::scalar signOf(const Foam::scalar w)
+{
+    return w < -0.9 ? -1 : 1;
+}
+
 }
 
 
 Foam::vector Foam::rotationVector(const quaternion& q)
 {
-    const scalar sign = q.w() < 0 ? -1 : 1;
+    const scalar sign = signOf(q.w());
     const scalar w = sign*q.w();
     const scalar s2 = magSqr(q.v());
     const scalar t = s2/(2*(1 + w));
@@ -82,11 +89,11 @@ Foam::bondFrame::bondFrame
     const quaternion& qj
 )
 {
-    // Relative rotation, of the two quaternions the one below 180 degrees
+    // Relative rotation
     const vector& a = qi.v();
     const vector& b = qj.v();
     scalar w = qi.w()*qj.w() + (a & b);
-    const scalar sign = w < 0 ? -1 : 1;
+    const scalar sign = signOf(w);
     w *= sign;
     const vector v(sign*(qi.w()*b - qj.w()*a - (a ^ b)));
 

@@ -282,6 +282,50 @@ TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
 }
 
 
+TEST_CASE("contact shares: continuous where a second face begins", "[contact][walls][serial]")
+{
+    // The inside of a faceted tube: two faces that meet along y at an angle of 150 degrees
+    const scalar L = 20e-6, z = L*Foam::tan(constant::mathematical::pi/6);
+    const point a(0, -L, 0), b(0, L, 0);
+    const point left(-L, -L, 0), farLeft(-L, L, 0), right(L, -L, z), farRight(L, L, z);
+    const wallSurface edge
+    (
+        List<point>({left, b, a, left, farLeft, b, a, farRight, right, a, b, farRight})
+    );
+
+    // Three spheres of a clump roll towards the edge over the flat face
+    const scalarField radii(3, r);
+    const label nSteps = 4000;
+    scalar before = 0, jump = 0, largest = 0;
+    for (label k = 0; k <= nSteps; ++k)
+    {
+        const scalar x0 = (scalar(k)/nSteps - 1)*r;
+        const pointField x
+        ({
+            point(x0, -r, 0.98*r), point(x0, 0, 0.97*r), point(x0, r, 0.98*r)
+        });
+        scalar force = 0;
+        for
+        (
+            const auto& w
+          : contactShares::ofWalls
+            (
+                edge, edge.near(boundBox(point(-L, -L, -L), point(L, L, L))), x, radii
+            )
+        )
+        {
+            force += w.share*Foam::pow(w.depth/r, scalar(1.5));
+        }
+        jump = k ? max(jump, mag(force - before)) : 0;
+        largest = max(largest, force);
+        before = force;
+    }
+    INFO("largest change in a step over the largest force: " << jump/largest);
+    CHECK(largest > 0);
+    CHECK(jump < 0.003*largest);
+}
+
+
 TEST_CASE("contact shares: the cost of a long contact is linear", "[contact][walls][serial]")
 {
     // Two bent chains side by side, and one of them on walls

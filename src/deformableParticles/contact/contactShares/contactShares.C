@@ -154,17 +154,17 @@ Foam::label Foam::contactShares::shareWalls
         first[i + 1] += first[i];
     }
 
-    // Share of a sphere's contacts in a direction, and square of their overlap
-    const auto sums = [&](const label k, const vector& n, scalar& share)
+    // Squares and fourth powers of the overlaps of a sphere in a direction
+    const auto sums = [&](const label k, const vector& n, scalar& overlap4)
     {
         scalar overlap2 = 0;
-        share = 0;
+        overlap4 = 0;
         for (label m = first[k]; m < first[k + 1]; ++m)
         {
             const wallSurface::contact& c = contacts[m].wall;
             const scalar s = c.share*sqr(max(n & c.normal, scalar(0)));
-            share += s;
             overlap2 += s*sqr(c.overlap);
+            overlap4 += s*pow4(c.overlap);
         }
         return overlap2;
     };
@@ -185,9 +185,9 @@ Foam::label Foam::contactShares::shareWalls
 
     for (wallContact& c : contacts)
     {
-        scalar share;
-        const scalar own = sums(c.i, c.wall.normal, share);
-        const scalar mean2 = own/share;
+        scalar own4, other4;
+        const scalar own = sums(c.i, c.wall.normal, own4);
+        const scalar mean2 = own4/own;
         scalar sum = 0;
         scalar deepest = mean2;
 
@@ -201,7 +201,7 @@ Foam::label Foam::contactShares::shareWalls
                 continue;
             }
             const scalar G =
-                sums(k, c.wall.normal, share)*sqr(Foam::exp(-e));
+                sums(k, c.wall.normal, other4)*sqr(Foam::exp(-e));
             ++nKernels;
             sum += G;
             deepest = max(deepest, G);

@@ -228,15 +228,20 @@ void Foam::slidingMesh::setVelocity()
         const scalar most =
             5*max(dx/dt, gMin(flow_.nu().primitiveField())/dx);
         cloud_.slideMesh(min(scalar(1), most/max(mag(V), VSMALL))*V);
+        setFor_ = dt;
     }
 }
 
 
 void Foam::slidingMesh::beginStep()
 {
-    setVelocity();
     if (cloud_.effects().active("sliding"))
     {
+        if (setFor_ != flow_.U().time().deltaTValue())
+        {
+            setVelocity();
+        }
+        setFor_ = 0;
         Info<< "Velocity of the mesh: " << cloud_.meshVelocity() << endl;
     }
 }

@@ -403,36 +403,3 @@ FORBIDDEN = [
       "contact": ["on", "lubricated", "rough"]},
      "membranes that may touch are refused with one outer corrector"),
 ]
-
-# Misses that are understood: levels, beginning of the check, largest value so far, and the cause
-KNOWN = [
-    ({"outer": ["tolerance"], "gravity": ["on"]}, "totalError", 0.25,
-     "couplingTolerance is a norm over the pressure and all clumps: the semi-implicit term of the"
-     " coupling, which the fluid does not receive in this step, may be as large as this"),
-    ({"outer": ["tolerance"], "dilation": ["no"]}, "totalError", 0.25,
-     "the same in the first steps from rest, where a locked interior resists more"),
-    ({"dilation": ["no"], "bodies": ["capsuleAndRing"]}, "warnings", 4,
-     "with a locked interior, the first step from rest may end at thirty outer correctors"),
-    ({"outer": ["tolerance"], "dilation": ["no"], "bodies": ["shell"]}, "serial equals parallel",
-     3e-4,
-     "locked shells take up to fourteen outer correctors, whose acceleration magnifies round-off"),
-    ({"driving": ["gradient"], "outer": ["1", "3"], "dilation": ["no"]},
-     "mean velocity over Ubar, less 1", 0.046,
-     "after an impulsive start clumps with a locked interior follow the fluid within some steps,"
-     " with few correctors; after 18 steps the mean velocity approaches Ubar by a fifth a step"),
-    ({"outer": ["3"], "gravity": ["on"]}, "momentum less impulse, over the impulse of all forces",
-     0.0015,
-     "three outer correctors do not converge the first step from rest, in which the coupling keeps"
-     " as much of the impulse; from the second step on it is below 0.0005"),
-]
-
-# Changes of the plainest row, of the first levels, that failed once
-FOUND = [
-    {"rotation": "perSphere", "bodies": "fibre"},
-    {"contact": "lubricated", "bodies": "fibre", "conservation": "one"},
-    {"outer": "1", "dilation": "no", "bodies": "ring"},
-    {"mesh": "refined", "boundaries": "periodic", "disturbance": "restart"},
-    {"mesh": "refined", "boundaries": "periodicWalls", "disturbance": "restart"},
-    {"mesh": "split", "boundaries": "periodic", "gravity": "on", "step": "adjustable",
-     "bodies": "several", "disturbance": "restart"},
-]

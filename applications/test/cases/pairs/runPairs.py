@@ -19,8 +19,9 @@ import sys
 import time
 
 from coveringArray import CoveringArray
-from features import END, FEATURES, FORBIDDEN, FOUND, Scene
+from features import END, FEATURES, FORBIDDEN, Scene
 from invariants import Judge, resistance
+from known import FOUND
 
 QUICK = 8
 OTHER = {1: 2, 2: 3, 3: 1}              # ranks after a restart on another number of them

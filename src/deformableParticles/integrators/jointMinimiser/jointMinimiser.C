@@ -30,10 +30,11 @@ Foam::jointMinimiser::jointMinimiser
     tolerance_(tolerance),
     maxIterations_(maxIterations),
     potentials_(group.members().size()),
-    tangents_(potentials_.size()),
+    tangents_(2*potentials_.size()),
+    used_(potentials_.size(), Zero),
+    own_(scalar(0)),
     sums_(scalar(0)),
-    found_(scalar(0)),
-    contacts_(potentials_.size()),
+    contacts_(tangents_.size()),
     sinceThen_(potentials_.size()),
     moved_(potentials_.size(), GREAT),
     nSolves_(0),
@@ -51,7 +52,10 @@ Foam::jointMinimiser::jointMinimiser
             )
         );
         potentials_[m].interactWith(group_, m);
-        tangents_.set(m, new clumpTangent(member.bonds->pattern()));
+        for (const label k : {0, 1})
+        {
+            tangents_.set(2*m + k, new clumpTangent(member.bonds->pattern()));
+        }
 
         const Eigen::VectorXd none
         (
@@ -69,18 +73,18 @@ void Foam::jointMinimiser::evaluate()
 {
     group_.evaluate();
 
-    sums_ = scalar(0);
+    for (const label i : {ofPotentials, ofMagnitudes, ofGradients, slope})
+    {
+        own_[i] = 0;
+    }
     forAll(potentials_, m)
     {
         const scalar W = potentials_[m].value(state(m), &g_[m]);
-        sums_[ofPotentials] += W;
-        sums_[ofMagnitudes] += mag(W);
-        sums_[ofGradients] += sqr(newtonMinimiser::size(type(m), g_[m]));
-        sums_[slope] += g_[m].dot(d_[m]);
+        own_[ofPotentials] += W;
+        own_[ofMagnitudes] += mag(W);
+        own_[ofGradients] += sqr(newtonMinimiser::size(type(m), g_[m]));
+        own_[slope] += g_[m].dot(d_[m]);
     }
-    sums_[largest] = lastStep_;
-    reduceWhole(sums_, sumsAndLargest());
-    lastStep_ = sums_[largest];
 }
 
 
@@ -94,32 +98,55 @@ void Foam::jointMinimiser::updateTangent(const label m)
         forAll(contacts, i)
         {
             largest = max(largest, mag(contacts[i]));
-            change = max(change, mag(contacts[i] - contacts_[m][i]));
+            change = max(change, mag(contacts[i] - contacts_[2*m + used_[m]][i]));
         }
         // What friction adds for rotations is in the tangent alone
         stale = change > (group_.turns() ? 1e-6 : 0.01)*largest;
     }
     if (stale)
     {
+        used_[m] = 1 - used_[m];
         newtonMinimiser::factorise
         (
-            potentials_[m], state(m), 0, true, g_[m], tangents_[m]
+            potentials_[m], state(m), 0, true, g_[m], tangent(m)
         );
-        contacts_[m] = contacts;
+        contacts_[2*m + used_[m]] = contacts;
         moved_[m] = 0;
     }
-    sinceThen_[m] = contacts - contacts_[m];
+    sinceThen_[m] = contacts - contacts_[2*m + used_[m]];
 }
 
 
-bool Foam::jointMinimiser::converged() const
+void Foam::jointMinimiser::prepare()
 {
-    scalar own = 0;
-    forAll(z_, m)
+    own_[ownPart] = 0;
+    own_[atStart] = 0;
+    forAll(potentials_, m)
     {
-        own = max(own, newtonMinimiser::largest(type(m), z_[m]));
+        updateTangent(m);
+        r_[m] = -g_[m];
+        z_[m] = r_[m];
+        tangent(m).solve(z_[m]);
+        own_[atStart] += r_[m].dot(z_[m]);
+        own_[ownPart] =
+            max(own_[ownPart], newtonMinimiser::largest(type(m), z_[m]));
     }
-    return returnReduce(-own, minOp<scalar>()) >= -tolerance_;
+}
+
+
+void Foam::jointMinimiser::exchange()
+{
+    sums_ = own_;
+    reduceWhole(sums_, sumsAndMaxima());
+    lastStep_ = sums_[displaced];
+}
+
+
+void Foam::jointMinimiser::begin()
+{
+    evaluate();
+    prepare();
+    exchange();
 }
 
 
@@ -131,20 +158,14 @@ void Foam::jointMinimiser::takeStep()
         before[m].x = state(m).x;
         before[m].q = state(m).q;
     }
-    const together sums0(sums_);
-    const scalar rounding = 1e-10*sums0[ofMagnitudes];
-    const scalar slope0 = mag(found_[slope]);
-
-    // A contact that begins is not in the tangent: where the step goes too far, the
-    // minimum along it lies in the contact
-    scalar low = 0;
-    scalar high = -found_[largest];
-    scalar part = high;
-
     const scalarList movedBefore(moved_);
-    for (label attempt = 0; attempt < 60; ++attempt)
+    const labelList usedBefore(used_);
+    const together sums0(sums_);
+
+    const auto tryPart = [&](const scalar part)
     {
-        lastStep_ = 0;
+        used_ = usedBefore;
+        own_[displaced] = 0;
         forAll(before, m)
         {
             const scalar moved = newtonMinimiser::moveBy
@@ -152,41 +173,99 @@ void Foam::jointMinimiser::takeStep()
                 type(m), before[m], d_[m], part, state(m)
             );
             moved_[m] = movedBefore[m] + moved;
-            lastStep_ = max(lastStep_, moved);
+            own_[displaced] = max(own_[displaced], moved);
         }
-        evaluate();
+        begin();
+    };
+    const auto tryAll = [&]()
+    {
+        tryPart(own_[untried] > 0 ? 0 : 1);
+    };
 
-        // Close to the minimum the sum changes by rounding and by what its gradient leaves
-        // out, while the gradient still falls
-        const scalar change = sums_[ofPotentials] - sums0[ofPotentials];
-        if
-        (
-            (
-                change <= 0
-             && (attempt > 30 || mag(sums_[slope]) < 0.5*slope0)
-            )
-         || lastStep_ <= tolerance_
-         || (
-                (change <= rounding || lastStep_ < close)
-             && sums_[ofGradients] < 0.25*sums0[ofGradients]
-            )
-        )
+    const bool checked = findStep(true);
+    tryAll();
+    if (checked && sums_[atEnd] > enough*sums0[atStart])
+    {
+        forAll(before, m)
         {
-            return;
+            state(m).x = before[m].x;
+            state(m).q = before[m].q;
         }
-        const bool far = sums_[slope] > 0 || change > 0;
+        used_ = usedBefore;
+        moved_ = movedBefore;
+        evaluate();
+        prepare();
+        findStep(false);
+        tryAll();
+    }
+
+    // A contact that begins is not in the tangent: where the step goes too far, the
+    // minimum along it lies in the contact
+    scalar low = 0;
+    scalar high = -sums_[passable];
+    scalar part = high;
+    if (sums_[untried] > 0)
+    {
+        tryPart(high);
+    }
+    for (label attempt = 0; !lowers(sums0, attempt); ++attempt)
+    {
+        const bool far =
+            sums_[slope] > 0 || sums_[ofPotentials] > sums0[ofPotentials];
         (far ? high : low) = part;
         part = 0.5*(low + high);
+        tryPart(part);
     }
+}
+
+
+bool Foam::jointMinimiser::lowers
+(
+    const together& sums0,
+    const label attempt
+) const
+{
+    // Close to the minimum the sum changes by rounding and by what its gradient leaves
+    // out, while the gradient still falls
+    const scalar change = sums_[ofPotentials] - sums0[ofPotentials];
+    const bool lower = change <= 0;
+    const bool rounded = change <= 1e-10*sums0[ofMagnitudes];
+    const bool flatter = mag(sums_[slope]) < 0.5*mag(sums_[slopeBefore]);
+    return
+        attempt >= 59
+     || lastStep_ <= tolerance_
+     || (lower && (flatter || attempt > 30))
+     || (
+            (rounded || lastStep_ < close)
+         && sums_[ofGradients] < 0.25*sums0[ofGradients]
+        );
 }
 
 
 void Foam::jointMinimiser::predict(const motions& steps)
 {
-    evaluate();
-    const scalar before = sums_[ofPotentials];
-    const scalar part = returnReduce(group_.passable(steps), minOp<scalar>());
+    bool moves = false;
+    for (const clumpInteraction::member& member : group_.members())
+    {
+        moves = moves || !member.guessed;
+    }
 
+    // Where all have a guess it is the start; no processor knows that yet
+    evaluate();
+    own_[untried] = moves;
+    own_[passable] = -group_.passable(steps);
+    if (!moves)
+    {
+        prepare();
+    }
+    exchange();
+    ready_ = true;
+    if (sums_[untried] == 0)
+    {
+        return;
+    }
+
+    const scalar before = sums_[ofPotentials];
     const auto start = [&](const scalar fraction)
     {
         forAll(potentials_, m)
@@ -200,9 +279,10 @@ void Foam::jointMinimiser::predict(const motions& steps)
                 );
             }
         }
+        moved_ = GREAT;
+        begin();
     };
-    start(part);
-    evaluate();
+    start(-sums_[passable]);
     if (sums_[ofPotentials] > before)
     {
         start(0);
@@ -212,23 +292,22 @@ void Foam::jointMinimiser::predict(const motions& steps)
 
 bool Foam::jointMinimiser::minimise()
 {
-    evaluate();
+    if (!ready_)
+    {
+        begin();
+    }
+    ready_ = false;
+
     for (label n = 0; n < maxIterations_; ++n)
     {
-        forAll(tangents_, m)
-        {
-            updateTangent(m);
-        }
-        nSolves_ += tangents_.size();
-        beginStep();
+        nSolves_ += potentials_.size();
 
         // After a longer step there is always another one
         const bool near = n == 0 || lastStep_ < 1000*tolerance_;
-        if (near && converged())
+        if (near && sums_[ownPart] <= tolerance_)
         {
             return true;
         }
-        findStep();
         takeStep();
         if (lastStep_ <= tolerance_)
         {

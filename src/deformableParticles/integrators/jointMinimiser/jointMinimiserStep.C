@@ -46,43 +46,10 @@ void Foam::jointMinimiser::multiply
 }
 
 
-void Foam::jointMinimiser::beginStep()
-{
-    first_ = 0;
-    diverged_ = false;
-    forAll(tangents_, m)
-    {
-        d_[m].setZero();
-        r_[m] = -g_[m];
-        z_[m] = r_[m];
-        tangents_[m].solve(z_[m]);
-        first_ += r_[m].dot(z_[m]);
-    }
-}
-
-
-void Foam::jointMinimiser::endStep()
-{
-    found_ = scalar(0);
-    found_[atStart] = first_;
-    forAll(tangents_, m)
-    {
-        found_[atEnd] += r_[m].dot(z_[m]);
-        found_[slope] += g_[m].dot(d_[m]);
-    }
-    if (diverged_)
-    {
-        found_[atEnd] = GREAT;
-    }
-    found_[largest] = -group_.passable(d_);
-    reduceWhole(found_, sumsAndLargest());
-}
-
-
 Foam::vector2D Foam::jointMinimiser::products(const motions& Az) const
 {
     vector2D result(Zero);
-    forAll(tangents_, m)
+    forAll(potentials_, m)
     {
         result += vector2D(r_[m].dot(z_[m]), Az[m].dot(z_[m]));
     }
@@ -121,14 +88,14 @@ void Foam::jointMinimiser::conjugateGradients()
         a = now.x()/curvature;
         diagonal.append(1/a + before);
 
-        forAll(tangents_, m)
+        forAll(potentials_, m)
         {
             p_[m] = z_[m] + b*p_[m];
             Ap_[m] = Az[m] + b*Ap_[m];
             d_[m] += a*p_[m];
             r_[m] -= a*Ap_[m];
             z_[m] = r_[m];
-            tangents_[m].solve(z_[m]);
+            tangent(m).solve(z_[m]);
         }
         multiply(z_, r_, Az);
         const vector2D next(products(Az));
@@ -152,7 +119,7 @@ void Foam::jointMinimiser::conjugateGradients()
 }
 
 
-void Foam::jointMinimiser::chebyshev(const scalar least)
+bool Foam::jointMinimiser::chebyshev(const scalar least)
 {
     const scalar middle = 0.5*(largestEigenvalue + least);
     const scalar half = 0.5*(largestEigenvalue - least);
@@ -160,22 +127,23 @@ void Foam::jointMinimiser::chebyshev(const scalar least)
     const label number = label(std::acosh(1/remains)/std::acosh(ratio)) + 1;
 
     scalar rho = 1/ratio;
-    forAll(tangents_, m)
+    forAll(potentials_, m)
     {
         p_[m] = z_[m]/middle;
         Kp_[m] = r_[m]/middle;
     }
+    bool usable = true;
     for (label n = 0; n < number; ++n)
     {
         multiply(p_, Kp_, Ap_);
         const scalar next = 1/(2*ratio - rho);
         scalar size = 0;
-        forAll(tangents_, m)
+        forAll(potentials_, m)
         {
             d_[m] += p_[m];
             r_[m] -= Ap_[m];
             z_[m] = r_[m];
-            tangents_[m].solve(z_[m]);
+            tangent(m).solve(z_[m]);
             size += r_[m].dot(z_[m]);
             p_[m] = rho*next*p_[m] + 2*next/half*z_[m];
             Kp_[m] = rho*next*Kp_[m] + 2*next/half*r_[m];
@@ -185,7 +153,7 @@ void Foam::jointMinimiser::chebyshev(const scalar least)
         // With negative eigenvalues it grows. The other processors go on
         if (size > hopeless)
         {
-            diverged_ = true;
+            usable = false;
             for (motions* list : {&r_, &z_, &p_, &Kp_})
             {
                 for (Eigen::VectorXd& v : *list)
@@ -195,22 +163,38 @@ void Foam::jointMinimiser::chebyshev(const scalar least)
             }
         }
     }
+    return usable;
 }
 
 
-void Foam::jointMinimiser::findStep()
+bool Foam::jointMinimiser::findStep(const bool mayChebyshev)
 {
-    const scalar least = 0.8*group_.leastEigenvalue;
-    if (least > 0)
+    for (Eigen::VectorXd& d : d_)
     {
-        chebyshev(least);
-        endStep();
-        if (found_[atEnd] <= 100*sqr(remains)*found_[atStart])
-        {
-            return;
-        }
-        beginStep();
+        d.setZero();
     }
-    conjugateGradients();
-    endStep();
+    const scalar least = 0.8*group_.leastEigenvalue;
+    const bool byChebyshev = mayChebyshev && least > 0;
+    own_[atEnd] = 0;
+    if (!byChebyshev)
+    {
+        conjugateGradients();
+    }
+    else if (!chebyshev(least))
+    {
+        own_[atEnd] = GREAT;
+    }
+
+    own_[slopeBefore] = 0;
+    forAll(potentials_, m)
+    {
+        own_[atEnd] += r_[m].dot(z_[m]);
+        own_[slopeBefore] += g_[m].dot(d_[m]);
+    }
+    own_[passable] = -group_.passable(d_);
+
+    // One that is of no use to any processor, or too long for one
+    own_[untried] =
+        own_[passable] > -1 || (byChebyshev && own_[atEnd] > enough*sums_[atStart]);
+    return byChebyshev;
 }

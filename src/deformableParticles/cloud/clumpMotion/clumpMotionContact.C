@@ -59,7 +59,7 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
     }
     findContacts(dt, slack);
     slack = contacting_.slack();
-    bool any = contacting_.addTouching(together);
+    contacting_.addTouching(together);
 
     label index = 0;
     {
@@ -74,9 +74,12 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
     }
 
     // And those that do on their way
+    bool any = false;
     for (bool solved = false; true; )
     {
-        const bool added = contacting_.addTouching(together);
+        contacting_.addTouching(together);
+        scalar deviation = 0;
+        const bool added = contacting_.shareMembers(deviation);
         any = any || added;
         if (any && (added || !solved))
         {
@@ -91,7 +94,6 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
             continue;
         }
 
-        const scalar deviation = contacting_.deviation();
         if (deviation <= slack)
         {
             break;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactStep.H"
+#include "vector2D.H"
 
 Foam::contactStep::contactStep
 (
@@ -51,11 +52,10 @@ void Foam::contactStep::addMember(const label a)
 }
 
 
-bool Foam::contactStep::addTouching(UList<bool>& together)
+void Foam::contactStep::addTouching(UList<bool>& together)
 {
     move(true);
 
-    label nNew = 0;
     for (label a = 0; a < clumps_.size(); ++a)
     {
         if (isMember_[a] || type(a).fixed())
@@ -76,21 +76,16 @@ bool Foam::contactStep::addTouching(UList<bool>& together)
         if (together[a])
         {
             addMember(a);
-            ++nNew;
+            hasNewMembers_ = true;
         }
     }
-    reduce(nNew, sumOp<label>());
-    if (nNew)
-    {
-        remote_.exchange(isMember_);
-    }
-    return nNew;
 }
 
 
-Foam::scalar Foam::contactStep::deviation() const
+bool Foam::contactStep::shareMembers(scalar& deviation)
 {
-    scalar result = 0;
+    // One exchange for both
+    vector2D all(hasNewMembers_, 0);
     for (label a = 0; a < clumps_.size(); ++a)
     {
         const clumpState& start = clumps_[a].state();
@@ -99,14 +94,22 @@ Foam::scalar Foam::contactStep::deviation() const
         {
             forAll(start.x, i)
             {
-                result = max
+                all.y() = max
                 (
-                    result, mag(end.x[i] - start.x[i] - span_*start.u[i])
+                    all.y(), mag(end.x[i] - start.x[i] - span_*start.u[i])
                 );
             }
         }
     }
-    return returnReduce(result, maxOp<scalar>());
+    reduce(all, maxOp<vector2D>());
+
+    deviation = all.y();
+    hasNewMembers_ = false;
+    if (all.x() > 0)
+    {
+        remote_.exchange(isMember_);
+    }
+    return all.x() > 0;
 }
 
 

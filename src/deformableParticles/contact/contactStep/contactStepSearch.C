@@ -16,6 +16,7 @@ void Foam::contactStep::clearMembers()
     torques_.clear();
     energies_.clear();
     isMember_ = Zero;
+    hasNewMembers_ = false;
 }
 
 

@@ -262,17 +262,17 @@ void Foam::clumpMotion::setSteadyForces
 
 void Foam::clumpMotion::advance(clumpParcel& p, const scalar dt)
 {
+    if (type(p).hasSurface())
+    {
+        membranes_.advance(p, coupling_->viscosity());
+        ++nSolves_;
+        return;
+    }
     clumpState& end = p.step().end;
     end = p.state();
     p.step().guessed = false;
     if (type(p).fixed())
     {
-        return;
-    }
-    if (type(p).hasSurface())
-    {
-        membranes_.advance(p, coupling_->viscosity());
-        ++nSolves_;
         return;
     }
     integrator_->advance(clumps_.bonds(p), p.step().forces, dt, end);

@@ -3,6 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
+#include "membraneFactors.H"
 #include "membraneStep.H"
 
 namespace
@@ -49,8 +50,7 @@ Foam::membraneStep::membraneStep
 :
     mechanics_(type, dict),
     contacts_(contacts),
-    tangent_(type.surface(), mechanics_.rings()),
-    factored_(-1, -1)
+    tangent_(type.surface(), mechanics_.rings())
 {}
 
 
@@ -260,12 +260,13 @@ bool Foam::membraneStep::solve
 (
     const vectorField& gradient,
     const vectorField& ofVolume,
+    const membraneFactors& factors,
     directions& d
 ) const
 {
     return
-        tangent_.solve(-membraneTangent::asVector(gradient), d.free)
-     && tangent_.solve(membraneTangent::asVector(ofVolume), d.ofPressure);
+        tangent_.solve(-membraneTangent::asVector(gradient), factors, d.free)
+     && tangent_.solve(membraneTangent::asVector(ofVolume), factors, d.ofPressure);
 }
 
 
@@ -303,7 +304,7 @@ Foam::scalar Foam::membraneStep::lineSearch
 bool Foam::membraneStep::minimise
 (
     const problem& step,
-    const bool factored,
+    membraneFactors& factors,
     vectorField& y
 ) const
 {
@@ -319,19 +320,19 @@ bool Foam::membraneStep::minimise
         vectorField gradient(y.size());
         const scalar value0 = linearise(step, y, p, true, gradient);
 
-        // The factors of the last iteration do, unless the tangent has changed too much
+        // The last factors do, unless the tangent has changed too much
         directions d;
-        if (!((factored || n > 0) && solve(gradient, ofVolume, d)))
+        if (!(factors.usable() && solve(gradient, ofVolume, factors, d)))
         {
-            if (!tangent_.factorise())
+            if (!factors.factorise(tangent_))
             {
                 linearise(step, y, p, false, gradient);
-                if (!tangent_.factorise())
+                if (!factors.factorise(tangent_))
                 {
                     break;
                 }
             }
-            if (!solve(gradient, ofVolume, d))
+            if (!solve(gradient, ofVolume, factors, d))
             {
                 break;
             }
@@ -410,10 +411,16 @@ void Foam::membraneStep::advance
     {
         y = s.x;
     }
-    const labelPair me(p.origProc(), p.origId());
-    const bool factored = p.step().guessed && factored_ == me;
-    flow.solved = minimise(step, factored, y);
-    factored_ = me;
+    std::shared_ptr<membraneFactors>& factors = p.step().factors;
+    if (!factors)
+    {
+        factors = std::make_shared<membraneFactors>(tangent_);
+    }
+    if (!p.step().guessed)
+    {
+        factors->forget();
+    }
+    flow.solved = minimise(step, *factors, y);
 
     vectorField F(flow.force);
     addResistance(step, y - step.target, F, nullptr);

@@ -3,8 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "membraneTangent.H"
-#include <Eigen/LU>
+#include "membraneFactors.H"
 #include <algorithm>
 
 Foam::membraneTangent::membraneTangent
@@ -47,7 +46,6 @@ Foam::membraneTangent::membraneTangent
         }
     }
     lower_.makeCompressed();
-    factors_.analyzePattern(lower_);
 }
 
 
@@ -55,7 +53,7 @@ void Foam::membraneTangent::clear(const bool exact)
 {
     exact_ = exact;
     std::fill(lower_.valuePtr(), lower_.valuePtr() + lower_.nonZeros(), 0.0);
-    products_ = products();
+    products_.clear();
 }
 
 
@@ -116,63 +114,14 @@ void Foam::membraneTangent::addPressure
 
 void Foam::membraneTangent::addProduct(const scalar k, const vectorField& v)
 {
-    products_.k.push_back(k);
-    products_.v.push_back(asVector(v));
-}
-
-
-bool Foam::membraneTangent::factorise()
-{
-    factors_.factorize(lower_);
-    if
-    (
-        factors_.info() != Eigen::Success
-     || !(factors_.vectorD().minCoeff() > 0)
-    )
-    {
-        return false;
-    }
-    factored_ = products_;
-    solved_.clear();
-    for (const Eigen::VectorXd& v : factored_.v)
-    {
-        solved_.push_back(factors_.solve(v));
-    }
-    return true;
-}
-
-
-Eigen::VectorXd Foam::membraneTangent::precondition(const Eigen::VectorXd& r) const
-{
-    Eigen::VectorXd x(factors_.solve(r));
-    const label n = solved_.size();
-    if (n)
-    {
-        Eigen::MatrixXd small(n, n);
-        Eigen::VectorXd right(n);
-        for (label a = 0; a < n; ++a)
-        {
-            const Eigen::VectorXd kv(factored_.k[a]*factored_.v[a]);
-            right[a] = kv.dot(x);
-            for (label b = 0; b < n; ++b)
-            {
-                small(a, b) = kv.dot(solved_[b]);
-            }
-            small(a, a) += 1;
-        }
-        const Eigen::VectorXd y(small.partialPivLu().solve(right));
-        for (label a = 0; a < n; ++a)
-        {
-            x -= y[a]*solved_[a];
-        }
-    }
-    return x;
+    products_.push_back({k, asVector(v)});
 }
 
 
 bool Foam::membraneTangent::solve
 (
     const Eigen::VectorXd& r,
+    const membraneFactors& factors,
     Eigen::VectorXd& x
 ) const
 {
@@ -182,7 +131,7 @@ bool Foam::membraneTangent::solve
     // With the residual, and its norm in the preconditioner
     x.setZero(r.size());
     Eigen::VectorXd residual(r);
-    Eigen::VectorXd z(precondition(residual));
+    Eigen::VectorXd z(factors.solve(residual));
     Eigen::VectorXd p(z);
     scalar norm = residual.dot(z);
     const scalar allowed = sqr(tolerance)*norm;
@@ -196,7 +145,7 @@ bool Foam::membraneTangent::solve
         }
         x += norm/curvature*p;
         residual -= norm/curvature*Hp;
-        z = precondition(residual);
+        z = factors.solve(residual);
         const scalar last = norm;
         norm = residual.dot(z);
         p = z + norm/last*p;
@@ -208,9 +157,9 @@ bool Foam::membraneTangent::solve
 Eigen::VectorXd Foam::membraneTangent::times(const Eigen::VectorXd& v) const
 {
     Eigen::VectorXd result(lower_.selfadjointView<Eigen::Lower>()*v);
-    for (size_t m = 0; m < products_.v.size(); ++m)
+    for (const membraneProduct& term : products_)
     {
-        result += products_.k[m]*products_.v[m].dot(v)*products_.v[m];
+        result += term.k*term.v.dot(v)*term.v;
     }
     return result;
 }

@@ -52,6 +52,35 @@ TEST_CASE("cloud: free flight through every periodic boundary", "[cloud]")
 }
 
 
+TEST_CASE("cloud: a clump that is thrown through a wall is tracked along it", "[cloud]")
+{
+    // The normals of faces have errors of rounding, as the displacement along them has
+    testCloud t(point(10e-6, 15e-6, 10e-6), Zero, Zero, "wholeClump", false);
+    Random random(3);
+    point expected(10e-6, 15e-6, 10e-6);
+    for (label n = 0; n < 2000; ++n)
+    {
+        vector d
+        (
+            random.position(vector(-3e-6, -6e-6, -3e-6), vector(3e-6, 6e-6, 3e-6))
+        );
+        for (clumpParcel& p : t.cloud())
+        {
+            p.state().x += d;
+        }
+        expected += d;
+        t.cloud().moveParcels();
+        REQUIRE(t.cloud().nClumps() == 1);
+    }
+    scalar away = 0;
+    for (const clumpParcel& p : t.cloud())
+    {
+        away = mag(p.unwrappedCentre(t.type()) - expected);
+    }
+    CHECK(returnReduce(away, maxOp<scalar>()) < 1e-12);
+}
+
+
 TEST_CASE("cloud: a collision conserves momentum", "[cloud][contact]")
 {
     // Head-on across the periodic boundary in x

@@ -31,7 +31,8 @@ Foam::repeatedStep::repeatedStep
     runTime_(runTime),
     flow_(flow),
     state_(state),
-    nParts_(1),
+    undivided_(0),
+    nAccepted_(0),
     nTotal_(0),
     whole_(0),
     wholeEnds_(0)
@@ -41,6 +42,7 @@ Foam::repeatedStep::repeatedStep
         const dictionary& divided = state.subDict("dividedStep");
         divided.readEntry("whole", whole_);
         divided.readEntry("wholeEnds", wholeEnds_);
+        undivided_ = whole_;
         runTime_.setDeltaT(divided.get<scalar>("deltaT"), false);
     }
 }
@@ -71,7 +73,12 @@ void Foam::repeatedStep::goBack()
 
 bool Foam::repeatedStep::divide(const string& reason)
 {
-    if (2*nParts_ > mostParts)
+    const scalar dt = runTime_.deltaTValue();
+    if (undivided_ <= 0)
+    {
+        undivided_ = dt;
+    }
+    if (0.5*dt < (1 - 1e-6)*undivided_/mostParts)
     {
         return false;
     }
@@ -79,7 +86,6 @@ bool Foam::repeatedStep::divide(const string& reason)
     all[Pstream::myProcNo()] = reason;
     gatherToAll(all);
 
-    const scalar dt = runTime_.deltaTValue();
     Info<< "The step to time " << runTime_.timeName() << " is repeated with the"
         << " time step " << 0.5*dt << " s:" << nl;
     for (const string& said : all)
@@ -98,7 +104,7 @@ bool Foam::repeatedStep::divide(const string& reason)
     }
     runTime_.setDeltaT(0.5*dt, adjusts);
     keep();
-    nParts_ *= 2;
+    nAccepted_ = 0;
     ++nTotal_;
     return true;
 }
@@ -106,11 +112,16 @@ bool Foam::repeatedStep::divide(const string& reason)
 
 void Foam::repeatedStep::accept()
 {
-    nParts_ = 1;
-    if (whole_ > 0 && runTime_.value() > wholeEnds_ - 1e-6*whole_)
+    ++nAccepted_;
+    if (whole_ <= 0)
+    {
+        undivided_ = nAccepted_ > 1 ? 0 : undivided_;
+    }
+    else if (runTime_.value() > wholeEnds_ - 1e-6*whole_)
     {
         runTime_.setDeltaT(whole_, false);
         whole_ = 0;
+        undivided_ = 0;
         keep();
     }
 }

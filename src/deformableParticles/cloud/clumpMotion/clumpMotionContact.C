@@ -5,7 +5,7 @@
 
 #include "clumpMotion.H"
 
-void Foam::clumpMotion::findContacts(const scalar dt, const scalar slack)
+void Foam::clumpMotion::findContacts(const scalar dt)
 {
     const bool betweenClumps = clumps_.effects().active("contact");
     const bool atWalls = clumps_.effects().active("walls");
@@ -19,7 +19,7 @@ void Foam::clumpMotion::findContacts(const scalar dt, const scalar slack)
     }
 
     // In further outer correctors the clumps are still where the step began
-    if (contacting_.resume(dt, slack, betweenClumps, atWalls))
+    if (contacting_.resume(dt, betweenClumps, atWalls))
     {
         return;
     }
@@ -28,7 +28,7 @@ void Foam::clumpMotion::findContacts(const scalar dt, const scalar slack)
         (
             clumps_.timing(), betweenClumps ? "contact" : "walls"
         );
-        contacting_.find(clumps_, dt, slack, betweenClumps);
+        contacting_.find(clumps_, dt, betweenClumps);
     }
     if (atWalls)
     {
@@ -41,13 +41,6 @@ void Foam::clumpMotion::findContacts(const scalar dt, const scalar slack)
 
 void Foam::clumpMotion::advanceTogether(const scalar dt)
 {
-    // A tenth of a radius on either side finds the contacts of a steady motion
-    scalar slack = 0;
-    for (const clumpType& ct : clumps_.types())
-    {
-        slack = max(slack, 0.1*min(ct.radii()));
-    }
-
     // Those that touch at the start or did so in the last outer corrector
     boolList together(clumps_.size(), false);
     for (clumpParcel& p : clumps_)
@@ -57,8 +50,7 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
             p.step().end = p.state();
         }
     }
-    findContacts(dt, slack);
-    slack = contacting_.slack();
+    findContacts(dt);
     contacting_.addTouching(together);
 
     label index = 0;
@@ -78,8 +70,8 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
     for (bool solved = false; true; )
     {
         contacting_.addTouching(together);
-        scalar deviation = 0;
-        const bool added = contacting_.shareMembers(deviation);
+        bool strayed = false;
+        const bool added = contacting_.shareMembers(strayed);
         any = any || added;
         if (any && (added || !solved))
         {
@@ -94,12 +86,12 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
             continue;
         }
 
-        if (deviation <= slack)
+        if (!strayed)
         {
             break;
         }
-        slack = 1.5*deviation;
-        findContacts(dt, slack);
+        contacting_.widen();
+        findContacts(dt);
         solved = false;
     }
 

@@ -29,6 +29,7 @@ void Foam::clumpImage::set
     omega.setSize(s.u.size());
     omega = Zero;
     contraction = 0;
+    slack = 0;
     box = boundBox::invertedBox;
     const bool deforms = type.hasSurface() && span > 0;
     const vector velocity(deforms ? s.velocity(type) : vector::zero);
@@ -56,14 +57,15 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
         << i.owner << token::SPACE << i.index << token::SPACE
         << i.typeId << token::SPACE << i.id << token::SPACE << i.shift
         << token::SPACE << i.x << token::SPACE << i.u << token::SPACE
-        << i.omega << token::SPACE << i.box << token::SPACE << i.presence;
+        << i.omega << token::SPACE << i.box << token::SPACE << i.presence
+        << token::SPACE << i.slack;
 }
 
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpImage& i)
 {
     is  >> i.owner >> i.index >> i.typeId >> i.id >> i.shift >> i.x >> i.u
-        >> i.omega >> i.box >> i.presence;
+        >> i.omega >> i.box >> i.presence >> i.slack;
     i.original = false;
     i.contraction = 0;
     i.clearForces();

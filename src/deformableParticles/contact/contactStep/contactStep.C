@@ -25,7 +25,6 @@ Foam::contactStep::contactStep
     ghosts_(mesh),
     span_(0),
     dt_(0),
-    slack_(0),
     range_(0),
     rubs_(contacts.laws().frictional() || walls.laws().frictional())
 {
@@ -82,34 +81,50 @@ void Foam::contactStep::addTouching(UList<bool>& together)
 }
 
 
-bool Foam::contactStep::shareMembers(scalar& deviation)
+Foam::scalar Foam::contactStep::deviation(const label a) const
 {
-    // One exchange for both
-    vector2D all(hasNewMembers_, 0);
-    for (label a = 0; a < clumps_.size(); ++a)
+    scalar result = 0;
+    if (!type(a).fixed() && !type(a).hasSurface())
     {
         const clumpState& start = clumps_[a].state();
         const clumpState& end = clumps_[a].step().end;
-        if (!type(a).fixed() && !type(a).hasSurface())
+        forAll(start.x, i)
         {
-            forAll(start.x, i)
-            {
-                all.y() = max
-                (
-                    all.y(), mag(end.x[i] - start.x[i] - span_*start.u[i])
-                );
-            }
+            result =
+                max(result, mag(end.x[i] - start.x[i] - span_*start.u[i]));
         }
     }
-    reduce(all, maxOp<vector2D>());
+    return result;
+}
 
-    deviation = all.y();
+
+bool Foam::contactStep::shareMembers(bool& strayed)
+{
+    // One exchange for both
+    vector2D any(hasNewMembers_, 0);
+    forAll(slacks_, a)
+    {
+        any.y() = any.y() > 0 || deviation(a) > slacks_[a];
+    }
+    reduce(any, maxOp<vector2D>());
+
+    strayed = any.y() > 0;
     hasNewMembers_ = false;
-    if (all.x() > 0)
+    if (any.x() > 0)
     {
         remote_.exchange(isMember_);
     }
-    return all.x() > 0;
+    return any.x() > 0;
+}
+
+
+void Foam::contactStep::widen()
+{
+    forAll(slacks_, a)
+    {
+        slacks_[a] = max(slacks_[a], 1.5*deviation(a));
+    }
+    search_.tooNarrow = true;
 }
 
 

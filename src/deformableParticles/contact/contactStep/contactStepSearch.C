@@ -23,19 +23,22 @@ void Foam::contactStep::clearMembers()
 bool Foam::contactStep::resume
 (
     const scalar dt,
-    const scalar slack,
     const bool betweenClumps,
     const bool atWalls
 )
 {
     if
     (
-        search_.slack < slack
-     || search_.dt != dt
+        search_.dt != dt
      || search_.betweenClumps != betweenClumps
      || search_.atWalls != atWalls
      || search_.acrossGaps != gaps_.active()
     )
+    {
+        slacks_.clear();
+        return false;
+    }
+    if (search_.tooNarrow)
     {
         return false;
     }
@@ -56,13 +59,11 @@ void Foam::contactStep::find
 (
     Cloud<clumpParcel>& clumps,
     const scalar dt,
-    const scalar slack,
     const bool betweenClumps
 )
 {
     span_ = dt;
     dt_ = dt;
-    slack_ = slack;
     leastEigenvalue = 0;
 
     clumps_.setSize(clumps.size());
@@ -70,6 +71,14 @@ void Foam::contactStep::find
     for (clumpParcel& p : clumps)
     {
         clumps_.set(index++, &p);
+    }
+    if (slacks_.empty())
+    {
+        slacks_.setSize(clumps_.size());
+        forAll(slacks_, a)
+        {
+            slacks_[a] = 0.1*min(type(a).radii());
+        }
     }
     clearMembers();
     touches_.clear();
@@ -114,7 +123,7 @@ void Foam::contactStep::endSearch()
     distribute(true);
 
     search_.dt = span_;
-    search_.slack = slack_;
+    search_.tooNarrow = false;
     search_.touches = touches_;
     search_.begins = begins_;
 }
@@ -130,7 +139,7 @@ void Foam::contactStep::findWalls(const label a)
         return;
     }
     const scalar width =
-        max(type(a).radii()) + span_*max(mag(p.state().u)) + slack_
+        max(type(a).radii()) + span_*max(mag(p.state().u)) + slacks_[a]
       + gaps_.range(cellWidths_[a]);
     wallsNear_[a] =
         walls_.surface().near(grown(boundBox(p.centres(), false), width));
@@ -227,7 +236,8 @@ void Foam::contactStep::setImages(const bool betweenClumps)
             box.add(end - type(a).radii()[i]*vector::one);
             box.add(end + type(a).radii()[i]*vector::one);
         }
-        box = grown(box, slack_ + 0.5*range_);
+        image.slack = slacks_[a];
+        box = grown(box, image.slack + 0.5*range_);
         const point centre(p.position());
         image.reach = max
         (
@@ -253,7 +263,7 @@ void Foam::contactStep::addPair
     const vector x(A.x[i] - B.x[j]);
     const vector dx(span_*(A.u[i] - B.u[j]));
     const scalar r = rA + rB[j];
-    if (leastDistance(x, dx) >= r + range_ + 2*slack_)
+    if (leastDistance(x, dx) >= r + range_ + A.slack + B.slack)
     {
         return;
     }
@@ -298,7 +308,7 @@ void Foam::contactStep::findPairs()
         {
             boundBox path(image.x[i], image.x[i]);
             path.add(image.x[i] + span_*image.u[i]);
-            if (grown(path, r[i] + slack_ + 0.5*range_).overlaps(box))
+            if (grown(path, r[i] + image.slack + 0.5*range_).overlaps(box))
             {
                 found.append(i);
             }
@@ -339,7 +349,7 @@ void Foam::contactStep::findPlanes(const label a)
     forAll(x, i)
     {
         const vector path(span_*p.state().u[i]);
-        const scalar reach = mag(path) + slack_;
+        const scalar reach = mag(path) + slacks_[a];
         for
         (
             const auto& c
@@ -348,7 +358,7 @@ void Foam::contactStep::findPlanes(const label a)
         {
             // At the start, and as deep as it may become
             const scalar d = c.overlap - reach;
-            if (d + slack_ + max(-(path & c.normal), 0.0) > 0)
+            if (d + slacks_[a] + max(-(path & c.normal), 0.0) > 0)
             {
                 touch t(ofWall(a, i, x[i], c, d));
                 t.touches = true;
@@ -371,7 +381,7 @@ void Foam::contactStep::findFilms(const label a)
     const scalarField& r = type(a).radii();
     const pointField x(p.centres());
     const scalar range = gaps_.range(cellWidths_[a]);
-    const scalar reach = range + span_*max(mag(p.state().u)) + slack_;
+    const scalar reach = range + span_*max(mag(p.state().u)) + slacks_[a];
 
     for
     (

@@ -45,6 +45,18 @@ Foam::bondResponse::bondResponse
       + 0.5*shear*length*magSqr(t - e)
       + 0.5*(k.torsional*sqr(torsion) + k.bending*magSqr(bending));
 
+    locking = Zero;
+    const scalar theta = mag(psi);
+    const scalar x = theta - lockingAngle;
+    if (x > 0)
+    {
+        const scalar S = 10*max(k.torsional, k.bending);
+        const vector a(psi/theta);
+        energy += S*pow3(x);
+        m += 3*S*sqr(x)*a;
+        locking = 6*S*x*sqr(a) + 3*S*sqr(x)/theta*(symmTensor::I - sqr(a));
+    }
+
     axial = axialLaw.force;
     kAlong = axialLaw.tangent;
     kAcross = (axialLaw.force + shear)/max(length, 1e-12*b.length);

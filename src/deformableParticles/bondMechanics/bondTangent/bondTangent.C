@@ -85,6 +85,7 @@ variation secondVariation
     Matrix3d S
     (
         transverse(k.torsional + c.torsional, k.bending + c.bending, b.direction)
+      + toEigen(tensor(r.locking))
     );
 
     // Damping that falls with the rate couples the strains: gamma.N psi

@@ -6,11 +6,17 @@
 #include "repeatedStep.H"
 #include "foamCompat.H"
 
+bool Foam::repeatedStep::adjusts() const
+{
+    return runTime_.controlDict().getOrDefault("adjustTimeStep", false);
+}
+
+
 void Foam::repeatedStep::keep()
 {
     const word key("dividedStep");
     state_.remove(key);
-    if (whole_ > 0)
+    if (whole_ > 0 && !adjusts())
     {
         dictionary divided;
         divided.add("deltaT", runTime_.deltaTValue());
@@ -31,18 +37,16 @@ Foam::repeatedStep::repeatedStep
     runTime_(runTime),
     flow_(flow),
     state_(state),
-    undivided_(0),
-    nAccepted_(0),
-    nTotal_(0),
     whole_(0),
-    wholeEnds_(0)
+    wholeEnds_(0),
+    nAccepted_(0),
+    nTotal_(0)
 {
     if (state.found("dividedStep"))
     {
         const dictionary& divided = state.subDict("dividedStep");
         divided.readEntry("whole", whole_);
         divided.readEntry("wholeEnds", wholeEnds_);
-        undivided_ = whole_;
         runTime_.setDeltaT(divided.get<scalar>("deltaT"), false);
     }
 }
@@ -74,11 +78,7 @@ void Foam::repeatedStep::goBack()
 bool Foam::repeatedStep::divide(const string& reason)
 {
     const scalar dt = runTime_.deltaTValue();
-    if (undivided_ <= 0)
-    {
-        undivided_ = dt;
-    }
-    if (0.5*dt < (1 - 1e-6)*undivided_/mostParts)
+    if (whole_ > 0 && 0.5*dt < (1 - 1e-6)*whole_/mostParts)
     {
         return false;
     }
@@ -95,14 +95,12 @@ bool Foam::repeatedStep::divide(const string& reason)
     Info<< endl;
 
     goBack();
-    const bool adjusts =
-        runTime_.controlDict().getOrDefault("adjustTimeStep", false);
-    if (!adjusts && whole_ <= 0)
+    if (whole_ <= 0)
     {
         whole_ = dt;
         wholeEnds_ = runTime_.value() + dt;
     }
-    runTime_.setDeltaT(0.5*dt, adjusts);
+    runTime_.setDeltaT(0.5*dt, adjusts());
     keep();
     nAccepted_ = 0;
     ++nTotal_;
@@ -115,13 +113,16 @@ void Foam::repeatedStep::accept()
     ++nAccepted_;
     if (whole_ <= 0)
     {
-        undivided_ = nAccepted_ > 1 ? 0 : undivided_;
+        return;
+    }
+    if (adjusts())
+    {
+        whole_ = nAccepted_ > 1 ? 0 : whole_;
     }
     else if (runTime_.value() > wholeEnds_ - 1e-6*whole_)
     {
         runTime_.setDeltaT(whole_, false);
         whole_ = 0;
-        undivided_ = 0;
         keep();
     }
 }

@@ -98,6 +98,9 @@ void Foam::variableViscosity::solve
     constexpr label most = 20;
     constexpr scalar tolerance = 1e-3;
 
+    dictionary controls(UEqn.solverDict());
+    controls.set("relTol", 0.05);
+
     const scalarField& V = U_.mesh().V();
     const scalar volume = gSum(V);
     const vectorField others
@@ -108,7 +111,7 @@ void Foam::variableViscosity::solve
     for (nPasses_ = 1; true; ++nPasses_)
     {
         const vectorField before(U_.primitiveField());
-        Foam::solve(UEqn == -gradp);
+        Foam::solve(UEqn == -gradp, controls);
         const vectorField change(U_.primitiveField() - before);
         const vector mean(gSum(V*U_.primitiveField())/volume);
         const scalar size = gSum(V*magSqr(U_.primitiveField() - mean));

@@ -9,7 +9,9 @@ OPENFOAM = set("""type libs writeControl writeInterval selectionMode fields acti
     consistent momentumPredictor nOuterCorrectors nCorrectors nNonOrthogonalCorrectors pRefCell
     pRefPoint pRefValue solveFlow SIMPLErho transonic frozenFlow ddtCorr turbOnFinalIterOnly
     finalOnLastPimpleIterOnly residualControl outerCorrectorResidualControl correctPhi
-    checkMeshCourantNo moveMeshOuterCorrectors""".split())
+    checkMeshCourantNo moveMeshOuterCorrectors PISO PIMPLE SIMPLE solvers relaxationFactors
+    functions startFrom startTime stopAt endTime purgeWrite writeFormat writePrecision
+    writeCompression timeFormat timePrecision runTimeModifiable""".split())
 
 # What -check and -lacking report
 problems, lacking = [], []

@@ -65,7 +65,6 @@ TEST_CASE("accuracyLevel: what the case writes overrides it", "[accuracy][serial
         )
     );
     CHECK(solution.subDict("PISO").get<label>("nOuterCorrectors") == 4);
-    CHECK(solution.subDict("PISO").get<scalar>("couplingTolerance") == 0.05);
 
     const dictionary& solvers = solution.subDict("solvers");
     CHECK(solvers.subDict("pFinal").get<scalar>("relTol") == 0.2);

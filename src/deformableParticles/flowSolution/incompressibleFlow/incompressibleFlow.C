@@ -219,6 +219,11 @@ Foam::incompressibleFlow::incompressibleFlow
         return;
     }
     unsolvedPhysics::refuse(mesh);
+    refuseMisspelt
+    (
+        mesh.solutionDict(),
+        {"PISO", "PIMPLE", "SIMPLE", "solvers", "relaxationFactors", "accuracyLevel"}
+    );
     check
     (
         mesh.solutionDict().subOrEmptyDict(outerCorrectors::dictionaryName(mesh))

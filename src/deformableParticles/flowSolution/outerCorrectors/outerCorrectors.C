@@ -14,9 +14,14 @@ constexpr Foam::scalar Foam::outerCorrectors::usualTolerance;
 Foam::word Foam::outerCorrectors::dictionaryName(const fvMesh& mesh)
 {
     const dictionary& fvSolution = mesh.solutionDict();
-    return
-        fvSolution.found("PIMPLE") && !fvSolution.found("PISO")
-      ? "PIMPLE" : "PISO";
+    const bool pimple = fvSolution.found("PIMPLE");
+    if (pimple && fvSolution.found("PISO"))
+    {
+        FatalIOErrorInFunction(fvSolution)
+            << "There are two dictionaries, PISO and PIMPLE, of which only one would be"
+            << " read. Remove one of them." << exit(FatalIOError);
+    }
+    return pimple ? "PIMPLE" : "PISO";
 }
 
 

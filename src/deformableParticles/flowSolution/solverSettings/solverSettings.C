@@ -17,6 +17,15 @@ namespace
 
 using namespace Foam;
 
+//- Entries of OpenFOAM's linear solvers
+const wordList solverEntries
+({
+    "solver", "preconditioner", "smoother", "tolerance", "relTol", "minIter", "maxIter",
+    "nSweeps", "nPreSweeps", "nPostSweeps", "nFinestSweeps", "cacheAgglomeration",
+    "agglomerator", "nCellsInCoarsestLevel", "mergeLevels"
+});
+
+
 template<class Table>
 void checkSelection
 (
@@ -53,6 +62,7 @@ void checkSolver
     const Preconditioners& preconditioners
 )
 {
+    refuseMisspelt(dict, solverEntries);
     const word solver(dict.get<word>("solver"));
     if (solver == "diagonal")
     {

@@ -65,7 +65,10 @@ Foam::timeStepControl::timeStepControl(Time& runTime)
         runTime_.controlDict(),
         {
             "deltaT", "adjustTimeStep", "maxCo", "maxDisplacement", "maxDeltaT",
-            "maxViscousNumber"
+            "maxViscousNumber", "accuracyLevel", "watchdog", "functions", "libs",
+            "startFrom", "startTime", "stopAt", "endTime", "writeControl",
+            "writeInterval", "purgeWrite", "writeFormat", "writePrecision",
+            "writeCompression", "timeFormat", "timePrecision", "runTimeModifiable"
         }
     );
     read();

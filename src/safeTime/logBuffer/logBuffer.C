@@ -39,6 +39,9 @@ void Foam::logBuffer::filter(const char c)
     {
         const bool begins = line_.compare(0, 3, "-->") == 0;
         warning_ = begins || (warning_ && line_.compare(0, 4, "    ") == 0);
+
+        // All lines of an error, which ends the run
+        quiet_ = line_.compare(0, 14, "--> FOAM FATAL") != 0;
         if (warning_)
         {
             pass(line_.data(), line_.size());

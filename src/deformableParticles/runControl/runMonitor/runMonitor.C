@@ -33,6 +33,7 @@ Foam::runMonitor::runMonitor
 :
     runTime_(runTime),
     cloud_(cloud),
+    flow_(flow),
     effects_(cloud.effects()),
     timing_(cloud.timing()),
     accuracy_
@@ -48,7 +49,8 @@ Foam::runMonitor::runMonitor
     (
         runTime, cloud, args.found("estimate"),
         flow.solved() ? flow.control().nCorrPIMPLE() : 0
-    )
+    ),
+    layers_(cloud)
 {
     functionNames::check(runTime);
 }
@@ -137,6 +139,10 @@ void Foam::runMonitor::check
 {
     const timeBreakdown::timer t(timing_, "checks");
     watchdog_.check(report_.continuityError(), U, p, phi);
+    if (cloud_.coupled())
+    {
+        layers_.add(flow_.nu());
+    }
 }
 
 
@@ -158,6 +164,7 @@ void Foam::runMonitor::end() const
 {
     logBuffer::quieten(false);
     repeated_.end();
+    layers_.end();
     if (report_.idle())
     {
         report_.explainIdle();

@@ -1,0 +1,78 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "boundaryLayerCheck.H"
+#include "mathematicalConstants.H"
+#include "volFields.H"
+
+Foam::boundaryLayerCheck::boundaryLayerCheck(const deformableCloud& cloud)
+:
+    cloud_(cloud),
+    nClumps_(0),
+    nThin_(0),
+    thinnest_(GREAT),
+    Re_(0)
+{}
+
+
+Foam::scalar Foam::boundaryLayerCheck::ReynoldsNumber(const scalar f)
+{
+    // The iteration contracts by 0.687 at most
+    scalar Re = f;
+    for (label n = 0; n < 60; ++n)
+    {
+        Re = f/(1 + 0.15*pow(Re, 0.687));
+    }
+    return Re;
+}
+
+
+void Foam::boundaryLayerCheck::add(const volScalarField& nu)
+{
+    for (const clumpParcel& p : cloud_)
+    {
+        const clumpType& type = cloud_.type(p);
+        if (type.hasSurface())
+        {
+            continue;
+        }
+        ++nClumps_;
+        const scalar f =
+            mag(sum(p.fluidForces()))
+           /(3*constant::mathematical::pi*cloud_.fluidDensity()*sqr(nu[p.cell()]));
+
+        // Re is below f, and costs a while
+        const scalar cells = 2*type.reach()/cbrt(cloud_.mesh().V()[p.cell()]);
+        const scalar Re = f > sqr(cells) ? ReynoldsNumber(f) : 0;
+        if (Re > sqr(cells))
+        {
+            ++nThin_;
+            const scalar layer = cells/sqrt(Re);
+            if (layer < thinnest_)
+            {
+                thinnest_ = layer;
+                Re_ = Re;
+            }
+        }
+    }
+}
+
+
+void Foam::boundaryLayerCheck::end() const
+{
+    const scalar thinnest = returnReduce(thinnest_, minOp<scalar>());
+    const scalar Re = returnReduce(thinnest_ == thinnest ? Re_ : 0, maxOp<scalar>());
+    const scalar nThin = returnReduce(nThin_, sumOp<scalar>());
+    const scalar nClumps = returnReduce(nClumps_, sumOp<scalar>());
+    if (nThin > 0.1*nClumps)
+    {
+        WarningInFunction
+            << "The boundary layers of clumps, D/sqrt(Re) thick, were thinner than a"
+            << " mesh cell in " << 100*nThin/nClumps << " % of all steps; the thinnest"
+            << " had " << thinnest << " mesh cells, at the Reynolds number " << Re
+            << ". Clumps are then too slow, by 4 to 8 % where a layer has 0.7 to 0.9"
+            << " mesh cells. Refine the mesh." << endl;
+    }
+}

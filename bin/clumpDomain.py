@@ -184,10 +184,16 @@ class Domain:
         return np.concatenate(result)
 
     def flow(self, time):
-        """The mesh with U at the nearest of the written times; None where there is none."""
-        written = [t for t in os.listdir(self.case) if re.fullmatch(r"[\d.]+(e-?\d+)?", t)
-                   and os.path.exists(os.path.join(self.case, t, "U"))]
+        """The mesh with U at the nearest of the written times; None where there is none, or none
+        that is as near as the written times are to each other."""
+        written = sorted(float(t) for t in os.listdir(self.case)
+                         if re.fullmatch(r"[\d.]+(e-?\d+)?", t)
+                         and os.path.exists(os.path.join(self.case, t, "U")))
         if not written or not self.limits:
+            return None
+        nearest = min(written, key=lambda t: abs(t - time))
+        spacing = max((b - a for a, b in zip(written, written[1:])), default=0)
+        if abs(nearest - time) > spacing + 1e-6*abs(time):
             return None
         reader = openReader(self.case)
         reader.DisableAllPatchArrays()
@@ -195,7 +201,7 @@ class Domain:
         reader.DisableAllCellArrays()
         reader.SetCellArrayStatus("U", 1)
         reader.CreateCellToPointOn()
-        reader.SetTimeValue(min(map(float, written), key=lambda t: abs(t - time)))
+        reader.SetTimeValue(nearest)
         reader.Modified()
         reader.Update()
         blocks = reader.GetOutput().NewIterator()

@@ -151,6 +151,9 @@ def main(arguments):
     case, columns, name = given.case, [], None
     for word in given.columns:
         name, _, column = word.rpartition(":") if ":" in word else (name, "", word)
+        if not name:
+            options.error(f"argument table:column: {word} is no column of a table; for all columns"
+                          f" of a table read its file in {case}/postProcessing")
         columns.append((name, column))
     tables = {name: texts(case, name, **wanted) for name, _ in columns}
     if len({len(rows) for rows in tables.values()}) != 1:

@@ -1,10 +1,18 @@
-"""A red cell that is stretched and one that tank-treads, against measurements."""
+"""A red cell that is stretched, let go, tank-treads and tumbles, against measurements.
 
-from results import Results, plt, read, save
+The recovery of length over width r from r_m to r_inf is that of Hochmuth et al. with one relaxation
+time t_c, r(t) = r_inf (L + exp(-t/t_c))/(L - exp(-t/t_c)), L = (r_m + r_inf)/(r_m - r_inf)."""
+
+from math import exp
+
+from results import QUICK, Results, find, plt, read, save
 
 MILLS = "Mills et al. 2004, within the error bars (reference/mills2004_healthy_stretch.csv)"
 FISCHER = "Fischer, mean of 12 donors at 28.9 mPa s (reference/tankTreading_fischer.csv)"
 TST = "Tran-Son-Tay et al. 1984, 35 mPa s (reference/tankTreading_tranSonTay1984.csv)"
+
+HOCHMUTH = "Hochmuth, Worthy, Evans 1979, mean of two cells (creep/reference)"
+FISCHER_KORZENIEWSKI = "Fischer and Korzeniewski 2013 (reference/tt_tb_threshold.csv)"
 
 # Recorded misses
 KNOWN = {("f", 114.3, 162): 0.02538}
@@ -48,6 +56,52 @@ for kind in ("axial", "transverse"):
 left.set_xlabel("force [pN]")
 left.set_ylabel("diameter [um]")
 left.legend(fontsize=7)
+
+
+
+def relaxation(times, ratios):
+    """t_c [s] and r_inf of least squares, on a grid."""
+    r_m = ratios[0]
+
+    def misfit(t_c, r_inf):
+        L = (r_m + r_inf)/(r_m - r_inf)
+        return sum((r_inf*(L + exp(-t/t_c))/(L - exp(-t/t_c)) - r)**2
+                   for t, r in zip(times, ratios))
+
+    grid = [(0.001*k, 0.01*j) for k in range(30, 301) for j in range(95, 126)]
+    return min(grid, key=lambda p: misfit(*p))
+
+
+if not QUICK:
+    curves = {}
+    for m in read(find("../creep/reference/recovery_hochmuth1979_henon1999.csv")):
+        curves.setdefault(m["set"], []).append((m["t_s"], m["ratio"]))
+    cells = [curves["hochmuth01"], curves["hochmuth02"]]
+    own = [(m["time_s"], m["ratio"]) for m in read("recovery.csv") if m["time_s"] < 0.4]
+    measuredTimes = [relaxation(*zip(*cell)) for cell in cells]
+    t_c, r_inf = relaxation(*zip(*own))
+    results.add("relaxation time after release from 60 pN", t_c, "s",
+                round(sum(t for t, _ in measuredTimes)/2, 4), "15%", HOCHMUTH, KNOWN.get("t_c"))
+    results.report("length over width long after", r_inf, "-", "fitted with it")
+    for n, (t, r) in enumerate(measuredTimes, 1):
+        results.report(f"relaxation time of cell {n} of Hochmuth et al.", t, "s",
+                       f"length over width long after: {r:g}")
+
+    # The lowest and the highest rate at which cells of a donor begin to tank-tread
+    rates = [m["shear_rate_1_s"] for m in read("reference/tt_tb_threshold.csv")
+             if m["source"] == "Fischer2013" and m["eta_mPas"] == 23.9]
+    for r in read("transition.csv"):
+        name = f"at {r['rate']:g} 1/s and {r['mu_mPas']:g} mPa s: turns of the cell"
+        turns = abs(r["axis_deg"])/360
+        if r["rate"] < min(rates):
+            results.add(name, max(0.5 - turns, 0), "below a half", 0, 0, FISCHER_KORZENIEWSKI)
+        elif r["rate"] > max(rates):
+            results.add(name, max(turns - 0.125, 0), "above an eighth", 0, 0,
+                        FISCHER_KORZENIEWSKI)
+        else:
+            results.report(name, turns, "-", "in the second half; between the rates of donors")
+        results.report(f"{name[:-9]} membrane", abs(r["membrane_deg"])/360, "-", "the same")
+
 
 fischer = {m["mean_shear_rate"]: (m["mean_f_over_g"], m["sd"])
            for m in read("reference/tankTreading_fischer.csv")}

@@ -1,21 +1,23 @@
-"""Rows of the tables of a run: of a stretched cell, one per force; of one that tank-treads, one."""
+"""Rows of the tables of a run: of a stretched cell one per force, of one that recovers one per
+time, of one in shear one."""
 import re
 import sys
 from math import atan2, cos, degrees, pi, sin
 
 from clumpTables import table
 
-case = sys.argv[1]
+kind = sys.argv[1]
+case = "sheared" if kind in ("sheared", "turned") else "stretch"
 rows = table(case, "clumpShape")
 start = rows[0]
 
 
-def unwrapped(angles):
-    """Angles without jumps."""
+def unwrapped(angles, periods=1):
+    """Angles without jumps by a turn, or by a part of it."""
     result = [angles[0]]
     for angle in angles[1:]:
-        change = angle - result[-1]
-        result.append(result[-1] + atan2(sin(change), cos(change)))
+        change = periods*(angle - result[-1])
+        result.append(result[-1] + atan2(sin(change), cos(change))/periods)
     return result
 
 
@@ -29,7 +31,7 @@ def lastHalfTurn(times, angles):
     return float("nan"), len(angles)//2
 
 
-if case == "stretch":
+if kind == "stretch":
     law, subdivisions, hold = sys.argv[2].split(";")[0].split()[1], sys.argv[3], float(sys.argv[4])
     for n, force in enumerate(sys.argv[5:]):
         held = [r for r in rows if n*hold + 1e-9 < r["time"] <= (n + 1)*hold + 1e-9]
@@ -37,6 +39,18 @@ if case == "stretch":
         print(f"{law},{subdivisions},{force},{last['Lx']*1e6:.3f},{last['Ly']*1e6:.3f},"
               f"{last['Lx']/held[-2]['Lx'] - 1:.5f},{last['volume']/start['volume']:.8f},"
               f"{last['area']/start['area']:.5f}")
+elif kind == "recovery":
+    release = float(sys.argv[2])
+    for r in rows:
+        if r["time"] >= release - 1e-9:
+            print(f"{r['time'] - release:g},{r['Lx']/r['Ly']:.5f}")
+elif kind == "turned":
+    rate, mu, strain = sys.argv[2:]
+    axis = unwrapped([r["inclination"] for r in rows], 2)
+    node = unwrapped([r["phase"] for r in rows])
+    half = len(rows)//2
+    print(f"{rate},{mu},{strain},{degrees(axis[-1] - axis[half]):.0f},"
+          f"{degrees(node[-1] - node[half]):.0f}")
 else:
     rate, mu, subdivisions, step, cells, seconds = sys.argv[2:]
     with open(f"{case}/log.rbcIbFoam") as file:

@@ -26,6 +26,25 @@ namespace fv
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+//- With the whole mesh where no cells are selected
+dictionary everywhere(const dictionary& dict, const word& type)
+{
+    dictionary result(dict);
+    if (!result.found(type + "Coeffs") && !result.found("selectionMode"))
+    {
+        result.add("selectionMode", word("all"));
+    }
+    return result;
+}
+
+}
+
+
 Foam::fv::meanVelocityGradient::meanVelocityGradient
 (
     const word& sourceName,
@@ -34,7 +53,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     const fvMesh& mesh
 )
 :
-    cellSetOption(sourceName, modelType, dict, mesh),
+    cellSetOption(sourceName, modelType, everywhere(dict, modelType), mesh),
     Ubar_(Zero),
     others_(false),
     gradient_(Zero),
@@ -59,7 +78,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
         )
     )
 {
-    coeffs_.readEntry("fields", fieldNames_);
+    fieldNames_ = coeffs_.getOrDefault<wordList>("fields", wordList({"U"}));
     applied_.setSize(fieldNames_.size(), false);
 
     if

@@ -114,7 +114,8 @@ Foam::label Foam::integrators::implicitEuler::advance
             << "Newton's method did not converge for the clumps that touch each"
             << " other or a wall: after " << maxIterations_
             << " iterations the last step is " << newton.lastStep()
-            << " sphere radii." << endl;
+            << " sphere radii. So large an error remains in their positions; a"
+            << " shorter time step, or a softer contact, converges better." << endl;
     }
 
     forAll(members, m)

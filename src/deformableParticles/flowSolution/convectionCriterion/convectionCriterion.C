@@ -45,7 +45,7 @@ void Foam::convectionCriterion::decide
         const bool convects = Re > 0.05;
 
         OStringStream reason;
-        reason.precision(2);
+        reason.precision(3);
         reason << "Re " << Re << (convects ? " above" : " below") << " 0.05";
         effects_.decide("convection", convects, reason.str());
     }

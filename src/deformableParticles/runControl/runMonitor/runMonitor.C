@@ -59,7 +59,12 @@ Foam::runMonitor::runMonitor
 void Foam::runMonitor::start() const
 {
     effects_.print(Info);
-    if (cloud_.coupled())
+    if (cloud_.coupled() && effects_.active("refinement"))
+    {
+        // The mesh is not yet that of the run
+        accuracy_.printMeasured(Info);
+    }
+    else if (cloud_.coupled())
     {
         accuracy_.print(Info, mostSpheres(cloud_), cellsPerDiameter(cloud_));
     }

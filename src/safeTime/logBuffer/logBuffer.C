@@ -41,7 +41,7 @@ void Foam::logBuffer::filter(const char c)
         warning_ = begins || (warning_ && line_.compare(0, 4, "    ") == 0);
 
         // All lines of an error, which ends the run
-        quiet_ = line_.compare(0, 14, "--> FOAM FATAL") != 0;
+        quiet_ = quiet_ && line_.compare(0, 14, "--> FOAM FATAL") != 0;
         if (warning_)
         {
             pass(line_.data(), line_.size());
@@ -64,16 +64,14 @@ Foam::logBuffer::int_type Foam::logBuffer::overflow(int_type c)
 
 std::streamsize Foam::logBuffer::xsputn(const char* text, std::streamsize n)
 {
-    if (quiet_)
+    std::streamsize i = 0;
+    while (quiet_ && i < n)
     {
-        for (std::streamsize i = 0; i < n; ++i)
-        {
-            filter(text[i]);
-        }
+        filter(text[i++]);
     }
-    else
+    if (i < n)
     {
-        pass(text, n);
+        pass(text + i, n - i);
     }
     return n;
 }

@@ -169,7 +169,6 @@ void Foam::runMonitor::end() const
 {
     logBuffer::quieten(false);
     repeated_.end();
-    layers_.end();
     if (report_.idle())
     {
         report_.explainIdle();
@@ -184,6 +183,7 @@ void Foam::runMonitor::end() const
     else
     {
         runTime_.endLoop();
+        layers_.end();
         report_.end();
     }
 }

@@ -99,7 +99,8 @@ void Foam::variableViscosity::solve
     constexpr scalar tolerance = 1e-3;
 
     dictionary controls(UEqn.solverDict());
-    controls.set("relTol", 0.05);
+    const scalar relTol = controls.getOrDefault<scalar>("relTol", 0);
+    controls.set("relTol", min(0.05, 500*relTol));
 
     const scalarField& V = U_.mesh().V();
     const scalar volume = gSum(V);

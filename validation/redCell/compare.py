@@ -15,7 +15,7 @@ HOCHMUTH = "Hochmuth, Worthy, Evans 1979, mean of two cells (creep/reference)"
 FISCHER_KORZENIEWSKI = "Fischer and Korzeniewski 2013 (reference/tt_tb_threshold.csv)"
 
 # Recorded misses
-KNOWN = {("f", 114.3, 162): 0.02538}
+KNOWN = {("f", 114.3, 162): 0.02436, "t_c": 0.086}
 
 results = Results()
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4))

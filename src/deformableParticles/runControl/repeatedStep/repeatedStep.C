@@ -111,17 +111,16 @@ bool Foam::repeatedStep::divide(const string& reason)
 void Foam::repeatedStep::accept()
 {
     ++nAccepted_;
-    if (whole_ <= 0)
+    const bool ends =
+        adjusts()
+      ? nAccepted_ > 1
+      : runTime_.value() > wholeEnds_ - 1e-6*whole_;
+    if (whole_ > 0 && ends)
     {
-        return;
-    }
-    if (adjusts())
-    {
-        whole_ = nAccepted_ > 1 ? 0 : whole_;
-    }
-    else if (runTime_.value() > wholeEnds_ - 1e-6*whole_)
-    {
-        runTime_.setDeltaT(whole_, false);
+        if (!adjusts())
+        {
+            runTime_.setDeltaT(whole_, false);
+        }
         whole_ = 0;
         keep();
     }

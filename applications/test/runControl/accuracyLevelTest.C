@@ -66,6 +66,13 @@ TEST_CASE("accuracyLevel: what the case writes overrides it", "[accuracy][serial
     );
     CHECK(solution.subDict("PISO").get<label>("nOuterCorrectors") == 4);
 
+    // A case has PISO or PIMPLE, so that a level may have neither
+    for (const char* level : {"draft", "standard", "fine"})
+    {
+        CHECK(!levelFile(level, "fvSolution").found("PISO"));
+        CHECK(!levelFile(level, "fvSolution").found("PIMPLE"));
+    }
+
     const dictionary& solvers = solution.subDict("solvers");
     CHECK(solvers.subDict("pFinal").get<scalar>("relTol") == 0.2);
     CHECK(solvers.subDict("pFinal").get<word>("solver") == "GAMG");

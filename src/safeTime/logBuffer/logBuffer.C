@@ -41,7 +41,7 @@ void Foam::logBuffer::filter(const char c)
         warning_ = begins || (warning_ && line_.compare(0, 4, "    ") == 0);
 
         // All lines of an error, which ends the run
-        quiet_ = quiet_ && line_.compare(0, 14, "--> FOAM FATAL") != 0;
+        quiet_ = line_.compare(0, 14, "--> FOAM FATAL") != 0;
         if (warning_)
         {
             pass(line_.data(), line_.size());

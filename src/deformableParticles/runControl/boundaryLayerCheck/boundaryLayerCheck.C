@@ -43,7 +43,7 @@ void Foam::boundaryLayerCheck::add(const volScalarField& nu)
             mag(sum(p.fluidForces()))
            /(3*constant::mathematical::pi*cloud_.fluidDensity()*sqr(nu[p.cell()]));
 
-        // Re is below f, and costs a while
+        // Re is at most f, so that it is rarely needed
         const scalar cells = 2*type.reach()/cbrt(cloud_.mesh().V()[p.cell()]);
         const scalar Re = f > sqr(cells) ? ReynoldsNumber(f) : 0;
         if (Re > sqr(cells))

@@ -91,7 +91,8 @@ if not QUICK:
     rates = [m["shear_rate_1_s"] for m in read("reference/tt_tb_threshold.csv")
              if m["source"] == "Fischer2013" and m["eta_mPas"] == 23.9]
     for r in read("transition.csv"):
-        name = f"at {r['rate']:g} 1/s and {r['mu_mPas']:g} mPa s: turns of the cell"
+        turned = f"at {r['rate']:g} 1/s and {r['mu_mPas']:g} mPa s: turns of the"
+        name = f"{turned} cell"
         turns = abs(r["axis_deg"])/360
         if r["rate"] < min(rates):
             results.add(name, max(0.5 - turns, 0), "below a half", 0, 0, FISCHER_KORZENIEWSKI)
@@ -100,7 +101,7 @@ if not QUICK:
                         FISCHER_KORZENIEWSKI)
         else:
             results.report(name, turns, "-", "in the second half; between the rates of donors")
-        results.report(f"{name[:-9]} membrane", abs(r["membrane_deg"])/360, "-", "the same")
+        results.report(f"{turned} membrane", abs(r["membrane_deg"])/360, "-", "the same")
 
 
 fischer = {m["mean_shear_rate"]: (m["mean_f_over_g"], m["sd"])

@@ -222,30 +222,7 @@ Foam::scalar Foam::contactStress
 
 Foam::scalar Foam::stressOfShear(const membraneMechanics& membrane)
 {
-    const scalar stretch = 1.01;
-    const auto energy = [&](const direction d, const scalar lambda)
-    {
-        pointField x(membrane.stressFree());
-        for (point& p : x)
-        {
-            p[d] *= lambda;
-            p[(d + 1) % 3] /= lambda;
-        }
-        vectorField gradient(x.size(), Zero);
-        return membrane.add(x, gradient);
-    };
-
-    scalar sum = -6*energy(0, 1);
-    for (direction d = 0; d < 3; ++d)
-    {
-        sum += energy(d, stretch) + energy(d, 1/stretch);
-    }
-    return
-        sum
-       /(
-            3*sqr(Foam::log(stretch))
-           *membrane.surface().volume(membrane.stressFree())
-        );
+    return membrane.shearStiffness()/membrane.surface().volume(membrane.stressFree());
 }
 
 

@@ -39,6 +39,39 @@ Foam::membraneMechanics::membraneMechanics
             << " example  strain { type neoHookean; shearModulus 5e-6; }"
             << exit(FatalIOError);
     }
+    folds_.reset
+    (
+        new foldLocking(type.surface(), type.centres(), shearStiffness())
+    );
+}
+
+
+Foam::scalar Foam::membraneMechanics::shearStiffness() const
+{
+    const scalar stretch = 1.01;
+    const auto energy = [&](const direction d, const scalar lambda)
+    {
+        pointField x(stressFree_);
+        for (point& p : x)
+        {
+            p[d] *= lambda;
+            p[(d + 1) % 3] /= lambda;
+        }
+        vectorField gradient(x.size(), Zero);
+        scalar result = 0;
+        for (const membraneModel& model : models_)
+        {
+            result += model.add(x, gradient, nullptr);
+        }
+        return result;
+    };
+
+    scalar sum = -6*energy(0, 1);
+    for (direction d = 0; d < 3; ++d)
+    {
+        sum += energy(d, stretch) + energy(d, 1/stretch);
+    }
+    return sum/(3*sqr(Foam::log(stretch)));
 }
 
 
@@ -50,7 +83,7 @@ Foam::scalar Foam::membraneMechanics::add
     const membraneModel::motion* start
 ) const
 {
-    scalar energy = 0;
+    scalar energy = folds_->add(x, gradient, tangent);
     for (const membraneModel& model : models_)
     {
         energy += model.add(x, gradient, tangent);

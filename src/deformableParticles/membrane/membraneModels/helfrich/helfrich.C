@@ -4,46 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "helfrich.H"
+#include "surfaceFold.H"
 
 namespace
 {
 
 using namespace Foam;
-
-//- The angle between the normals of the two triangles at an edge, positive where the
-//  surface is convex, and its derivatives by the four nodes i, j, left, right
-struct fold
-{
-    scalar length, angle;
-    vector along;
-    FixedList<vector, 4> gradient;
-
-    fold(const closedSurface::hinge& h, const pointField& x)
-    {
-        const vector e(x[h.j] - x[h.i]);
-        const vector left(x[h.left] - x[h.i]);
-        const vector right(x[h.right] - x[h.i]);
-        const vector n(e ^ left);
-        const vector m(right ^ e);
-        length = mag(e);
-        along = e/length;
-        angle = Foam::atan2((n ^ m) & along, n & m);
-
-        const vector N(n/magSqr(n));
-        const vector M(m/magSqr(m));
-        gradient[2] = -length*N;
-        gradient[3] = -length*M;
-        gradient[1] = (left & along)*N + (right & along)*M;
-        gradient[0] = -gradient[1] - gradient[2] - gradient[3];
-    }
-
-    //- Derivatives of the product of length and angle
-    vector ofProduct(const label k) const
-    {
-        const vector g(length*gradient[k]);
-        return k == 0 ? g - angle*along : k == 1 ? g + angle*along : g;
-    }
-};
 
 //- The derivatives of a triangle's area by its nodes
 FixedList<vector, 3> areaGradient(const triFace& t, const pointField& x)
@@ -108,7 +74,7 @@ Foam::scalar Foam::membraneModels::helfrich::add
     scalarField M(A.size(), Zero);
     for (const closedSurface::hinge& h : surface_.hinges())
     {
-        const fold f(h, x);
+        const surfaceFold f(h, x);
         const scalar quarter = 0.25*f.length*f.angle;
         M[h.i] += quarter;
         M[h.j] += quarter;
@@ -119,12 +85,13 @@ Foam::scalar Foam::membraneModels::helfrich::add
 
     for (const closedSurface::hinge& h : surface_.hinges())
     {
-        const fold f(h, x);
+        const surfaceFold f(h, x);
         const scalar k = stiffness_*(d[h.i] + d[h.j]);
-        gradient[h.i] += k*f.ofProduct(0);
-        gradient[h.j] += k*f.ofProduct(1);
-        gradient[h.left] += k*f.ofProduct(2);
-        gradient[h.right] += k*f.ofProduct(3);
+        const FixedList<label, 4> nodes(surfaceFold::nodes(h));
+        forAll(nodes, n)
+        {
+            gradient[nodes[n]] += k*f.ofProduct(n);
+        }
     }
     const scalarField ofArea(2*stiffness_*d*(d - 2*M/A)/3);
     for (const triFace& t : surface_.triangles())
@@ -167,9 +134,9 @@ void Foam::membraneModels::helfrich::addTangent
     const scalarField ofA(-0.25*ofM*(2*M/A + curvature_));
     for (const closedSurface::hinge& h : surface_.hinges())
     {
-        const fold f(h, x);
-        const label nodes[] = {h.i, h.j, h.left, h.right};
-        for (label k = 0; k < 4; ++k)
+        const surfaceFold f(h, x);
+        const FixedList<label, 4> nodes(surfaceFold::nodes(h));
+        forAll(nodes, k)
         {
             const vector v(0.25*f.ofProduct(k));
             addTo(h.i, nodes[k], ofM[h.i]*v);

@@ -1,8 +1,8 @@
-"""Blood of membranes in shear against the narrow band of bloodViscosity, its change with the mesh,
-and the processor time of a red cell beside that of a ring."""
+"""Blood of membranes in shear against the narrow band of bloodViscosity, and in a tube against
+Pries et al. (1992); the processor time of a red cell beside that of a ring."""
 
 from blood import whole_blood, wide_tubes
-from results import QUICK, Results, read
+from results import QUICK, Results, find, read
 
 runs = read("data.csv")
 results = Results()
@@ -10,6 +10,8 @@ RATE = 200      # [1/s]
 
 # Misses that the README explains, by haematocrit and mesh cell [um] of membranes
 KNOWN = {(0.3, 1): 2.99469, (0.45, 0.667): 4.33762}
+KNOWN_TUBE = {}
+SOURCE = "Pries, Neuhaus, Gaehtgens 1992, at the tube haematocrit"
 
 
 def cost(run):
@@ -32,4 +34,26 @@ for run in runs:
     if ring and run["kind"] == "membrane":
         results.report(f"{name}: time of a membrane over a ring's", cost(run)/cost(ring[0]), "-",
                        "the same box")
+
+# In a tube of 20 um at 30 %
+target = next(row for row in read(find("../bloodTube/reference/tube_targets_pries.csv"))
+              if (row["D_um"], row["Ht"]) == (20, 0.3))
+tubes = read("tubes.csv")
+for run in tubes:
+    name = f"tube, {run['kind']}, mesh cells of {run['mesh_um']:g} um"
+    membrane = run["kind"] == "membrane"
+    if not QUICK and membrane:
+        results.add(f"{name}: relative viscosity", run["muRel"], "-", target["mu_rel"], "10%",
+                    SOURCE, KNOWN_TUBE.get("muRel"))
+        results.add(f"{name}: tube over discharge haematocrit", run["HtHd"], "-",
+                    target["Ht_over_Hd"], 0.05, SOURCE, KNOWN_TUBE.get("HtHd"))
+    elif not QUICK:
+        results.report(f"{name}: relative viscosity", run["muRel"], "-", "see bloodTube")
+        results.report(f"{name}: tube over discharge haematocrit", run["HtHd"], "-",
+                       "see bloodTube")
+    results.report(f"{name}: cell-free layer", 1e6*run["layer_m"], "um", "cellFreeLayer")
+    results.add(f"{name}: outer correctors", run["correctors"], "-", 0, 8, "mean of all steps")
+    results.add(f"{name}: cells lost", run["cells"] - run["left"], "-", 0, 0, "none may be")
+    results.report(f"{name}: processor time", 100*run["seconds"]/run["cells"]/run["way_D"],
+                   "ms per cell and ms", "this machine")
 results.write()

@@ -36,6 +36,10 @@ Foam::scalar Foam::foldLocking::add
     forAll(from_, e)
     {
         const closedSurface::hinge& h = surface_.hinges()[e];
+        if (surfaceFold::isOpen(h, x))
+        {
+            continue;
+        }
         const surfaceFold f(h, x);
         const scalar beyond = mag(f.angle) - from_[e];
         if (beyond <= 0)

@@ -100,7 +100,7 @@ TEST_CASE("surfaces: second moments of an ellipsoid", "[membrane][serial]")
 }
 
 
-TEST_CASE("surfaces: open ones and entries of bonds are refused", "[membrane][serial]")
+TEST_CASE("surfaces: those that are not one closed surface are refused", "[membrane][serial]")
 {
     const pointField x({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     typedef std::initializer_list<FixedList<label, 3>> corners;
@@ -125,6 +125,22 @@ TEST_CASE("surfaces: open ones and entries of bonds are refused", "[membrane][se
     // Turned inside out it is the same
     CHECK(surfaceOf({{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}).volume(x) == Approx(1.0/6));
     CHECK(surfaceOf({{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}).volume(x) == Approx(1.0/6));
+
+    // Two tetrahedra are two surfaces
+    pointField two(x);
+    two.append(x + vector(3, 0, 0));
+    List<triFace> faces(8);
+    const FixedList<triFace, 4> one
+    ({
+        triFace(0, 1, 2), triFace(0, 3, 1), triFace(0, 2, 3), triFace(1, 3, 2)
+    });
+    forAll(one, n)
+    {
+        const triFace& t = one[n];
+        faces[n] = t;
+        faces[n + 4] = triFace(t[0] + 4, t[1] + 4, t[2] + 4);
+    }
+    CHECK_THROWS(closedSurface(two, faces, dictionary::null));
 }
 
 

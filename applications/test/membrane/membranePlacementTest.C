@@ -196,3 +196,35 @@ TEST_CASE("placement of membranes: candidates are judged by their surfaces",
     // A bead inside a capsule
     CHECK(meet(capsule, bead, 0.1e-6));
 }
+
+
+TEST_CASE("placement of membranes: refused", "[membrane][serial]")
+{
+    const string at(" { type capsule; position (10e-6 10e-6 10e-6);");
+
+    // It has no inertia
+    CHECK_NOTHROW(scene("type list; clumps (" + at + " });"));
+    CHECK_THROWS(scene("type list; clumps (" + at + " velocity (1e-3 0 0); });"));
+    CHECK_THROWS(scene("type list; clumps (" + at + " angularVelocity (0 0 9); });"));
+
+    // At the same place, or a little beside
+    CHECK_THROWS(scene("type list; clumps (" + at + " }" + at + " });"));
+    CHECK_THROWS
+    (
+        scene
+        (
+            "type list; clumps (" + at + " }"
+            " { type capsule; position (10.1e-6 10e-6 10e-6); });"
+        )
+    );
+
+    // Its force would be that of the coefficients of the step
+    CHECK_THROWS
+    (
+        scene
+        (
+            "type list; clumps (" + at + " }); }"
+            " loads { all { type hold; clumpType capsule; directions ((1 0 0)); }"
+        )
+    );
+}

@@ -58,6 +58,13 @@ void Foam::clumpLoads::read
 void Foam::clumpLoads::hold(const dictionary& dict, const label typei)
 {
     const symmTensor& along = loads_.last().constraint();
+    if (tr(along) > 0 && types_[typei].hasSurface())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'clumpType': " << types_[typei].name() << " is a membrane, which"
+            << " the load hold cannot hold: its force would depend on the time step."
+            << exit(FatalIOError);
+    }
     if (tr(held_[typei]) > 0 && tr(along) > 0)
     {
         FatalIOErrorInFunction(dict)

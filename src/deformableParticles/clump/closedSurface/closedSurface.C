@@ -63,6 +63,7 @@ Foam::closedSurface::closedSurface
             << exit(FatalIOError);
     }
     setHinges(dict);
+    refuseParts(dict);
 
     if (volume(x) < 0)
     {
@@ -118,6 +119,34 @@ void Foam::closedSurface::setHinges(const dictionary& dict)
         }
     }
     hinges_.transfer(hinges);
+}
+
+
+void Foam::closedSurface::refuseParts(const dictionary& dict) const
+{
+    boolList reached(nNodes_, false);
+    reached[0] = true;
+    bool more = true;
+    while (more)
+    {
+        more = false;
+        for (const hinge& h : hinges_)
+        {
+            if (reached[h.i] != reached[h.j])
+            {
+                reached[h.i] = reached[h.j] = true;
+                more = true;
+            }
+        }
+    }
+    const label other = reached.find(false);
+    if (other >= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The surface has several parts: no edges lead from node 0 to node "
+            << other << ". Give every closed surface a clump type of its own."
+            << exit(FatalIOError);
+    }
 }
 
 

@@ -118,10 +118,11 @@ Foam::functionObjects::clumpShape::header() const
        .explain("axisx axisy axisz omegax omegay omegaz", "longest principal axis, and"
             " angular velocity")
        .explain("TaylorDeformation inclination", "|L1 - L2|/(L1 + L2), and angle of the"
-            " longest axis to the flow")
+            " longest axis to the flow; of a membrane those of its section by the plane"
+            " of flow and gradient")
        .explain("phase", "angle of the marked sphere to the flow, seen from the centre")
        .explain("area volume", "of the polygon of the sphere centres, and of the union of"
-            " the spheres");
+            " the spheres; of a membrane those of its surface");
 }
 
 

@@ -152,6 +152,11 @@ void Foam::membraneContacts::refuseOverlaps
                 {
                     overlap = overlap || (p.found && p.distance < 0);
                 }
+
+                // Also of surfaces that are the same
+                const pointField centre(1, average(A.x));
+                const auto p = distance.nearest(centre, typeOf(B).reach())[0];
+                overlap = overlap || (p.found && p.distance < 0);
             }
             else
             {
@@ -161,6 +166,15 @@ void Foam::membraneContacts::refuseOverlaps
                         overlap
                      || min(mag(A.x - B.x[j])) < typeOf(B).radii()[j];
                 }
+            }
+            if (overlap && A.id == B.id)
+            {
+                FatalIOErrorInFunction(placement)
+                    << "Entry 'position': the surface of clump " << A.id.second()
+                    << " (type " << typeOf(A).name() << ") reaches into its own"
+                    << " periodic image: it is wider than the mesh. Check the unit of"
+                    << " its shape (entry 'scale' of a surface from a file)."
+                    << exit(FatalIOError);
             }
             if (overlap)
             {

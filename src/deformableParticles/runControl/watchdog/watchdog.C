@@ -369,9 +369,13 @@ Foam::string Foam::watchdog::thrown()
         {
             said<< name.str().c_str() << "a sphere is displaced by "
                 << displacement << " radii in one step" << nl;
+            // A membrane has the velocity to which the outer correctors drove the flow
             curable_ =
                 curable_
-             && displacement < repeatedStep::mostParts*maxDisplacement_;
+             && (
+                    type.hasSurface()
+                 || displacement < repeatedStep::mostParts*maxDisplacement_
+                );
         }
         if (!(size < maxExtent_))
         {

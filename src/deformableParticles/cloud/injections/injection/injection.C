@@ -78,7 +78,8 @@ Foam::clumpCandidate Foam::injection::candidate
     c.position = position;
     c.state = clumpState(site_.types[typeId], turn);
     c.state.setRigidMotion(site_.types[typeId], velocity_, Zero);
-    c.followsFlow = !dict_.found("velocity");
+    c.followsFlow =
+        !dict_.found("velocity") || site_.types[typeId].hasSurface();
     return c;
 }
 

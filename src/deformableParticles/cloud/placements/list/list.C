@@ -37,16 +37,25 @@ Foam::clumpPlacements::list::list
                 "angularVelocity"
             }
         );
+        const label typei = placement::typeId(d, d.get<word>("type"));
+        const bool moves = d.found("velocity") || d.found("angularVelocity");
+        if (types_[typei].hasSurface() && moves)
+        {
+            FatalIOErrorInFunction(d)
+                << "Entry 'type': " << types_[typei].name() << " is a membrane, which"
+                << " has no inertia and starts with the velocity of the flow. Remove"
+                << " the entries velocity and angularVelocity." << exit(FatalIOError);
+        }
         places_.append
         (
             place
             {
-                placement::typeId(d, d.get<word>("type")),
+                typei,
                 getFinite<point>(d, "position"),
                 givenRotation(d),
                 getFiniteOrDefault<vector>(d, "velocity", Zero),
                 getFiniteOrDefault<vector>(d, "angularVelocity", Zero),
-                !d.found("velocity") && !d.found("angularVelocity")
+                !moves
             }
         );
     }

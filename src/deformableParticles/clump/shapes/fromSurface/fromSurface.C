@@ -5,8 +5,8 @@
 
 #include "fromSurface.H"
 #include "mathematicalConstants.H"
-#include "OSspecific.H"
 #include "sphereFilling.H"
+#include "surfaceFileName.H"
 
 namespace Foam
 {
@@ -27,12 +27,7 @@ using namespace Foam;
 //  side in the units of the file
 triSurface readClosed(const dictionary& dict, scalar& length)
 {
-    fileName file(dict.get<fileName>("file"));
-    file.expand();
-    if (!file.isAbsolute())
-    {
-        file = getEnv("FOAM_CASE")/file;
-    }
+    const fileName file(surfaceFileName(dict));
     if (!isFile(file) || !triSurface::canRead(file))
     {
         FatalIOErrorInFunction(dict)

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceFile.H"
-#include "OSspecific.H"
+#include "surfaceFileName.H"
 #include "triSurface.H"
 
 namespace Foam
@@ -21,8 +21,7 @@ Foam::clumpShapes::surfaceFile::surfaceFile(const dictionary& dict)
 {
     checkEntries(dict, {"type", "file", "scale"});
 
-    fileName file(dict.get<fileName>("file"));
-    file.expand();
+    const fileName file(surfaceFileName(dict));
     if (!isFile(file))
     {
         FatalIOErrorInFunction(dict)

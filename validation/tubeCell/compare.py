@@ -15,8 +15,7 @@ MEASURED = {"capillary-6.6": (7.3, 8.7), "capillary-4.7": (9.1, 10.9)}
 KNOWN = {("tube-3.2-0.5-facing", "longest"): 1.07996, ("tube-4-0.5-facing", "longest"): 1.07996,
          ("tube-3.2-1.0-edge", "longest"): 1.19043, ("capillary-6.6", "length"): 8.97669,
          ("capillary-4", "stretch"): 1.42875, ("capillary-6.6", "L2_m"): 0.940274,
-         ("capillary-6", "L2_m"): 0.944869, ("capillary-5", "L2_m"): 0.94811,
-         ("capillary-4.7", "L2_m"): 0.949456}
+         ("capillary-6", "L2_m"): 0.944869, ("capillary-4.7", "L2_m"): 0.949456}
 results = Results()
 runs = read("data.csv")
 paths = {r["run"]: read(f"history-{r['run']}.csv") for r in runs}

@@ -10,7 +10,8 @@ import subprocess
 import sys
 from results import write_table
 
-LATTICES = {'1': '(1 1 1)', '8': '(2 2 2)', '32': '(4 2 4)'}
+LATTICES = {'1': '(1 1 1)', '8': '(2 2 2)', '32': '(4 2 4)', '8-uncarried': '(2 2 2)',
+            '8-iterated': '(2 2 2)'}
 
 
 def set_entry(case, file, entry, value):
@@ -33,14 +34,15 @@ def step(case):
     return (processor_time(case, solver, 50) - processor_time(case, solver, 10))/40
 
 
-cases = ['pisoFoam', '1', '8', '32']
+cases = ['pisoFoam'] + list(LATTICES)
 for name, lattice in LATTICES.items():
     set_entry(name, 'constant/clumpProperties', 'placement/number', lattice)
 
 rows = []
 for _ in range(int(sys.argv[1])):
     for name in cases:
-        solver, clumps = ('pisoFoam', 0) if name == 'pisoFoam' else ('rbcIbFoam', name)
-        rows.append([solver, clumps, '%.5f' % step(name)])
+        clumps, _, kind = name.partition('-')
+        solver, clumps = ('pisoFoam', 0) if name == 'pisoFoam' else ('rbcIbFoam', clumps)
+        rows.append([solver, clumps, kind or 'one', '%.5f' % step(name)])
         print(*rows[-1], flush=True)
-write_table('data.csv', ['solver', 'clumps', 'step_s'], rows)
+write_table('data.csv', ['solver', 'clumps', 'correctors', 'step_s'], rows)

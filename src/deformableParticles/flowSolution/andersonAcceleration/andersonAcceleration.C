@@ -4,11 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "andersonAcceleration.H"
+#include "foamCompat.H"
 #include <Eigen/Cholesky>
 
 Foam::andersonAcceleration::andersonAcceleration(const label depth)
 :
-    depth_(depth)
+    depth_(depth),
+    first_(true)
 {}
 
 
@@ -18,6 +20,7 @@ void Foam::andersonAcceleration::clear()
     dR_.clear();
     x_.clear();
     r_.clear();
+    first_ = true;
 }
 
 
@@ -27,8 +30,7 @@ void Foam::andersonAcceleration::remember
     const scalarField& r
 )
 {
-    const bool first = returnReduce(r_.empty(), andOp<bool>());
-    if (!first)
+    if (!first_)
     {
         if (dX_.size() == depth_)
         {
@@ -45,6 +47,7 @@ void Foam::andersonAcceleration::remember
     }
     x_ = x;
     r_ = r;
+    first_ = false;
 }
 
 
@@ -60,17 +63,34 @@ Foam::scalarField Foam::andersonAcceleration::correction
         return result;
     }
     remember(x, r);
-
     const label n = dR_.size();
-    Eigen::MatrixXd A(n, n);
-    Eigen::VectorXd b(n);
+    if (n == 0)
+    {
+        return result;
+    }
+
+    // All products in one collective operation
+    List<scalar> products;
     for (label i = 0; i < n; ++i)
     {
         for (label j = 0; j <= i; ++j)
         {
-            A(i, j) = A(j, i) = gSumProd(dR_[i], dR_[j]);
+            products.append(sumProd(dR_[i], dR_[j]));
         }
-        b(i) = gSumProd(dR_[i], r);
+        products.append(sumProd(dR_[i], r));
+    }
+    reduceList(products, plusEqOp<scalar>());
+
+    Eigen::MatrixXd A(n, n);
+    Eigen::VectorXd b(n);
+    const scalar* product = products.cdata();
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j <= i; ++j)
+        {
+            A(i, j) = A(j, i) = *product++;
+        }
+        b(i) = *product++;
 
         // Differences may be parallel
         A(i, i) *= 1 + 1e-6;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingResidual.H"
+#include "foamCompat.H"
 #include "mathematicalConstants.H"
 
 namespace
@@ -30,21 +31,36 @@ void Foam::couplingResidual::beginStep()
 }
 
 
-Foam::scalar Foam::couplingResidual::flowScale() const
+Foam::couplingResidual::flowPower Foam::couplingResidual::ofFlow
+(
+    const scalarField& p0
+) const
 {
     const scalarField& V = flow_.U().mesh().V();
     const vectorField& U = flow_.U().primitiveField();
-    const scalar volume = gSum(V);
-    const vector mean(gSum(V*U)/volume);
-    return Foam::sqrt(gSum(V*magSqr(U - mean))/volume);
-}
+    const scalarField& p = flow_.p().primitiveField();
+    const scalarField& nu = flow_.nu().primitiveField();
 
+    List<vector> sums(2);
+    sums[0] = sum(V*U);
+    sums[1] = vector(sum(V), sumProd(V, p), sumProd(V, p0));
+    reduceList(sums, plusEqOp<vector>());
+    const scalar volume = sums[1].x();
+    const vector mean(sums[0]/volume);
+    const scalarField dp(p - sums[1].y()/volume);
+    const scalarField dp0(p0 - sums[1].z()/volume);
 
-Foam::scalar Foam::couplingResidual::power(const scalarField& p) const
-{
-    const scalarField& V = flow_.p().mesh().V();
-    const scalar level = gSum(V*p)/gSum(V);
-    return gSum(V*sqr(p - level)/flow_.nu().primitiveField());
+    List<scalar> powers(5);
+    powers[0] = sum(V*magSqr(U - mean));
+    powers[1] = sum(V*sqr(dp - dp0)/nu);
+    powers[2] = sum(V*sqr(dp0)/nu);
+    powers[3] = sum(V*sqr(dp)/nu);
+    powers[4] = sumProd(V, nu);
+    reduceList(powers, plusEqOp<scalar>());
+    return
+    {
+        Foam::sqrt(powers[0]/volume), powers[1], powers[2], powers[3], powers[4]
+    };
 }
 
 
@@ -74,9 +90,11 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 
     // Motions that need not be resolved
     const scalar least = 1e-6/flow_.p().time().deltaTValue();
-    const scalar ofFlow = 0.1*flowScale();
+    const flowPower flow(ofFlow(p0));
 
-    scalar change = 0, before = 0, after = 0, worst = 0;
+    // Of the clumps: of the change, before and after
+    List<scalar> powers(3, scalar(0));
+    scalar worst = 0;
     label index = 0;
     for (const clumpParcel& p : cloud_)
     {
@@ -89,29 +107,22 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         const scalar imposed =
             power(p, start, step.imposedU, step.imposedW);
         const scalar ended = power(p, start, step.end.u, step.end.w);
-        const scalar floor = drag_*sum(r)*sqr(max(ofFlow, least*min(r)));
+        const scalar floor = drag_*sum(r)*sqr(max(0.1*flow.scale, least*min(r)));
 
-        change += changed;
-        before += imposed;
-        after += ended;
+        powers[0] += changed;
+        powers[1] += imposed;
+        powers[2] += ended;
         worst = max(worst, changed/max(max(imposed, ended), floor));
         if (!step.nodes.solved)
         {
             worst = sqr(GREAT);
         }
     }
-    reduce(change, sumOp<scalar>());
-    reduce(before, sumOp<scalar>());
-    reduce(after, sumOp<scalar>());
+    reduceList(powers, plusEqOp<scalar>());
     reduce(worst, maxOp<scalar>());
     solved_ = worst < sqr(GREAT);
 
-    const scalarField& p = flow_.p().primitiveField();
-    change += power(p - p0);
-    before += power(p0);
-    after += power(p);
-    const scalarField& V = flow_.p().mesh().V();
-    const scalar floor = sqr(least)*gSum(V*flow_.nu().primitiveField());
-
-    return Foam::sqrt(max(worst, change/max(max(before, after), floor)));
+    const scalar change = powers[0] + flow.change;
+    const scalar size = max(powers[1] + flow.before, powers[2] + flow.after);
+    return Foam::sqrt(max(worst, change/max(size, sqr(least)*flow.viscosity)));
 }

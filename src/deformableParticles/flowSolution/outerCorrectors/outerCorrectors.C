@@ -60,7 +60,8 @@ void Foam::outerCorrectors::report() const
     {
         Info<< algorithmName_ << ": nOuterCorrectors " << n << " is raised to "
             << nCorrPIMPLE_ << ", which end at couplingTolerance "
-            << usualTolerance << ", because flow and clumps are iterated until"
+            << given.getOrDefault<scalar>("couplingTolerance", usualTolerance)
+            << ", because flow and clumps are iterated until"
             << " they agree. For exactly " << n
             << " of them give couplingTolerance 0" << nl << endl;
     }
@@ -93,7 +94,8 @@ const Foam::dictionary Foam::outerCorrectors::dict() const
         const label n = result.get<label>("nOuterCorrectors");
         const bool exact = result.get<scalar>("couplingTolerance") == 0;
         const bool iterated = exact && n > 1 && startsFromRest();
-        if (iterated || !toleranceGiven)
+        const bool cannotIterate = n == 1 && !exact;
+        if (iterated || !toleranceGiven || cannotIterate)
         {
             result.set("nOuterCorrectors", max(n, usualNumber));
         }

@@ -5,6 +5,7 @@
 
 #include "testCatch.H"
 #include "testMembrane.H"
+#include "layerViscosity.H"
 #include "membraneFactors.H"
 #include "mathematicalConstants.H"
 #include "triangleElasticity.H"
@@ -410,6 +411,36 @@ TEST_CASE("membrane: viscosity resists shear in the plane, not a change of area"
     CHECK(stretched(law, 1 + e, 1 - e).W == Approx(3*2*sqr(e)).epsilon(1e-3));
     CHECK(stretched(law, 1 + e, 1).W == Approx(3*0.5*sqr(e)).epsilon(1e-3));
     CHECK(mag(stretched(law, 1 + e, 1 + e).W) < 1e-3*3*sqr(e));
+}
+
+
+TEST_CASE("membrane: the layer between the fluids resists any strain in the plane",
+    "[membrane][serial]")
+{
+    const membrane m("a { type neoHookean; shearModulus 1e-9; }");
+    const layerViscosity layer(m.type.surface(), m.type.centres());
+
+    // The potential is half of the power times the duration: eta (d:d + tr(d)^2)
+    const scalar e = 1e-4;
+    CHECK(stretched(layer, 1 + e, 1 - e).W == Approx(2*sqr(e)).epsilon(1e-3));
+    CHECK(stretched(layer, 1 + e, 1).W == Approx(2*sqr(e)).epsilon(1e-3));
+    CHECK(stretched(layer, 1 + e, 1 + e).W == Approx(6*sqr(e)).epsilon(1e-3));
+
+    // The forces of the motion of a sphere that dilates at the rate q: with the tension
+    // T = 6 eta q they are along the normal, 2 T/R per area
+    const pointField x(m.type.centres());
+    const scalar eta = 3;
+    const scalar q = 2;
+    const scalar span = 1e-5;
+    membraneModel::motion start{x*(1 - q*span), span, scalarField(x.size(), eta)};
+    const vectorField f(m.mechanics.forces(x, &start));
+    const scalar power = sum(f & x)*q;
+    const scalar area = sum(m.type.surface().nodeAreas(x));
+    CHECK(-power == Approx(6*eta*sqr(q)*2*area).epsilon(1e-3));
+
+    // None where the viscosities are zero
+    start.layer.clear();
+    CHECK(max(mag(m.mechanics.forces(x, &start))) < 1e-6*max(mag(f)));
 }
 
 

@@ -173,7 +173,7 @@ TEST_CASE("immersion: spreading is the transpose of sampling", "[membrane][paral
 }
 
 
-TEST_CASE("immersion: the smearing of a plane force", "[membrane][parallel]")
+TEST_CASE("immersion: the width of the mesh cells that a node meets", "[membrane][parallel]")
 {
     // Of nodes on a sphere in a uniform mesh of 1 um. The variance of the kernel is from
     // 1/4 (between two mesh cells) to 1/3 (in the centre of one) along every direction
@@ -181,15 +181,15 @@ TEST_CASE("immersion: the smearing of a plane force", "[membrane][parallel]")
     if (Pstream::master())
     {
         const surfaceKernel K(surfaceKernel::form::threePoint);
-        const scalar l = 1e-6*K.meanDistance()/Foam::sqrt(K.variance());
-        const scalarField lengths
+        const scalar h = 1e-6/Foam::sqrt(K.variance());
+        const scalarField widths
         (
-            sphere.immersion->smoothing
+            sphere.immersion->widths
             (
                 sphere.own(), sphere.types[0].surface().areaVectors(sphere.own().x)
             )
         );
-        CHECK(min(lengths) > 0.999*l*Foam::sqrt(1.0/4));
-        CHECK(max(lengths) < 1.001*l*Foam::sqrt(1.0/3));
+        CHECK(min(widths) > 0.999*h*Foam::sqrt(1.0/4));
+        CHECK(max(widths) < 1.001*h*Foam::sqrt(1.0/3));
     }
 }

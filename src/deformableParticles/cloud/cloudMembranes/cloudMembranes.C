@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cloudMembranes.H"
+#include "foamCompat.H"
 #include "sceneScales.H"
 
 Foam::cloudMembranes::cloudMembranes
@@ -15,7 +16,8 @@ Foam::cloudMembranes::cloudMembranes
 :
     mesh_(mesh),
     types_(types),
-    contacts_(types, clumpProperties)
+    contacts_(types, clumpProperties),
+    checked_(false)
 {}
 
 
@@ -81,19 +83,62 @@ void Foam::cloudMembranes::immerse
 (
     Cloud<clumpParcel>& clumps,
     ghostExchange& ghosts,
-    surfaceImmersion& surfaces
-) const
+    surfaceImmersion& surfaces,
+    const scalar mu
+)
 {
     surfaces.update(ghosts);
+    scalarList apart(types_.size(), Zero);
     label index = 0;
     for (clumpParcel& p : clumps)
     {
         const clumpImage& image = ghosts.images()[index++];
         if (isOne(p))
         {
-            steps_[p.typeId()].meet(p, image.x);
+            const label typei = p.typeId();
+            steps_[typei].meet(p, image.x);
             nodeFlow& nodes = p.step().nodes;
-            nodes.smoothing = surfaces.smoothing(image, nodes.areaVectors);
+            const surfaceKernel& kernel = surfaces.kernel(typei);
+            const scalar ratio = types_[typei].viscosityRatio();
+            nodes.widths = surfaces.widths(image, nodes.areaVectors);
+            nodes.smoothing = kernel.meanDistance()*nodes.widths;
+            if (ratio != 1)
+            {
+                nodes.layer = mu*kernel.deficit(ratio)*nodes.widths;
+            }
+            apart[typei] = max
+            (
+                apart[typei],
+                types_[typei].surface().edgeLength(image.x)/average(nodes.widths)
+            );
+        }
+    }
+    if (!checked_)
+    {
+        reduceList(apart, maxEqOp<scalar>());
+        warnOfLeaks(apart, surfaces);
+        checked_ = max(apart) > 0;
+    }
+}
+
+
+void Foam::cloudMembranes::warnOfLeaks
+(
+    const scalarList& apart,
+    const surfaceImmersion& surfaces
+) const
+{
+    forAll(apart, typei)
+    {
+        const scalar allowed = surfaces.kernel(typei).support();
+        if (apart[typei] > allowed)
+        {
+            WarningInFunction
+                << "Neighbouring nodes of '" << types_[typei].name() << "' are "
+                << apart[typei] << " mesh cells apart (mean of a membrane); above "
+                << allowed << " with its kernel, fluid passes between them. Give its"
+                << " shape more subdivisions (or the surface file more triangles), or"
+                << " use a coarser mesh." << endl;
         }
     }
 }
@@ -165,7 +210,7 @@ void Foam::cloudMembranes::sharpen
     const bool other = surfaces.interior();
     if (other)
     {
-        surfaces.sampleShear(U, ghosts);
+        surfaces.sampleShear(U, ghosts, mu);
     }
     label index = 0;
     for (clumpParcel& p : clumps)
@@ -184,7 +229,7 @@ void Foam::cloudMembranes::sharpen
         {
             // The part of the force follows in membraneStep
             kink = (1 - 1/ratio)*(image.sampled - n*(n & image.sampled));
-            nodes.u -= 0.5*nodes.smoothing*kink;
+            nodes.u -= surfaces.kernel(p.typeId()).overlap()*nodes.widths*kink;
         }
         const vectorField& F = nodes.force;
         kink -= 0.5*(1 + 1/ratio)/mu*(F - n*(n & F))/nodes.areas;

@@ -46,6 +46,7 @@ void Foam::deformableCloud::immerse
     }
 
     const timeBreakdown::timer t(timing_, "solid fraction");
+    coupling_->setViscosity(nu);
     coupling_->boundary().update(ghosts_.images(), nu);
     ghosts_.returnTensions();
     if (moving)
@@ -110,7 +111,7 @@ void Foam::deformableCloud::immerseMembranes()
 {
     if (surfaceImmersion* surfaces = coupling_->surfaces())
     {
-        membranes_.immerse(*this, ghosts_, *surfaces);
+        membranes_.immerse(*this, ghosts_, *surfaces, coupling_->viscosity());
         motion_.setNodeForces();
     }
 }

@@ -301,7 +301,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
 {
     if (variable_.valid())
     {
-        return variable_->stress(nu(), *interior_);
+        return variable_->stress(viscosity());
     }
     const bool uniform =
         turbulence_->type() == "Stokes"

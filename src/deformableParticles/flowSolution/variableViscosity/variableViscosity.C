@@ -20,39 +20,10 @@ Foam::variableViscosity::variableViscosity(volVectorField& U)
 Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
 {
     const volTensorField gradU("gradU", fvc::grad(U_));
-    const surfaceVectorField& Sf = U_.mesh().Sf();
-    surfaceVectorField flux
+    return fvc::div
     (
-        "flux", *excess_*(Sf & linearInterpolate(T(gradU)))
+        *excess_*(U_.mesh().Sf() & linearInterpolate(T(gradU)))
     );
-    if (deficit_.valid())
-    {
-        const volVectorField& n = *normal_;
-        volVectorField En("En", symm(gradU) & n);
-        En -= n*(n & En);
-        flux -= Sf & linearInterpolate(*deficit_*twoSymm(n*En));
-    }
-    return fvc::div(flux);
-}
-
-
-Foam::tmp<Foam::fvVectorMatrix> Foam::variableViscosity::stress
-(
-    const volScalarField& nu,
-    const membraneInterior& interior
-)
-{
-    deficit_.reset
-    (
-        new volScalarField
-        (
-            "deficit", 2*nu*(interior.factor() - interior.shearFactor())
-        )
-    );
-    normal_.reset(new volVectorField("normal", interior.normal()));
-    deficit_->checkOut();
-    normal_->checkOut();
-    return stress(nu*interior.factor());
 }
 
 
@@ -61,7 +32,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::variableViscosity::stress
     const volScalarField& nu
 )
 {
-    nu_.reset(new surfaceScalarField("nuf", linearInterpolate(nu)));
+    nu_.reset(new surfaceScalarField("nuf", 1/linearInterpolate(1/nu)));
     excess_.reset
     (
         new surfaceScalarField("excess", *nu_ - min(nu))

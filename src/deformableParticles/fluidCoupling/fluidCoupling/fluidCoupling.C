@@ -145,6 +145,12 @@ void Foam::fluidCoupling::setRotation
 }
 
 
+void Foam::fluidCoupling::setViscosity(const volScalarField& nu)
+{
+    mu_ = rho_*gMax(nu.primitiveField());
+}
+
+
 void Foam::fluidCoupling::integrate
 (
     const volVectorField& U,
@@ -153,7 +159,7 @@ void Foam::fluidCoupling::integrate
     UList<clumpImage>& images
 )
 {
-    mu_ = rho_*gMax(nu.primitiveField());
+    setViscosity(nu);
     if (twoWay())
     {
         boundary_->integrate(U, p, nu, rho_, images);

@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "membraneInterior.H"
+#include "fvcDiv.H"
 #include "fvcGrad.H"
+#include "linear.H"
 #include "surfaceDistance.H"
 
 Foam::membraneInterior::membraneInterior
@@ -21,12 +23,17 @@ Foam::membraneInterior::membraneInterior
         mesh,
         dimensionedScalar("factor", dimless, 1)
     ),
-    shearFactor_("viscosityShearFactor", factor_),
     normal_
     (
         IOobject("interiorNormal", mesh.time().timeName(), mesh),
         mesh,
         dimensionedVector(dimless, Zero)
+    ),
+    slip_
+    (
+        IOobject("interiorSlip", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimPressure, Zero)
     )
 {}
 
@@ -34,18 +41,93 @@ Foam::membraneInterior::membraneInterior
 void Foam::membraneInterior::reset()
 {
     factor_ = dimensionedScalar("factor", dimless, 1);
-    shearFactor_ = dimensionedScalar("factor", dimless, 1);
     normal_ = dimensionedVector(dimless, Zero);
+    slip_ = dimensionedVector(dimPressure, Zero);
+}
+
+
+void Foam::membraneInterior::addSlip(volVectorField& force)
+{
+    const vectorField& n = normal_;
+    const vectorField& f = force;
+    slip_.primitiveFieldRef() = slipLengths_*(f - n*(n & f));
+    slip_.correctBoundaryConditions();
+    const surfaceVectorField flux
+    (
+        (mesh_.Sf() & linearInterpolate(twoSymm(normal_*slip_)))
+       /linearInterpolate(1/factor_)
+    );
+    force.primitiveFieldRef() += fvc::div(flux)().primitiveField();
+}
+
+
+void Foam::membraneInterior::addFace
+(
+    const label celli,
+    const vector& Sf,
+    const scalar fluidity,
+    const vector& slip,
+    List<across>& sums
+) const
+{
+    const scalar weight = sqr(normal_[celli] & Sf)/mag(Sf);
+    sums[celli].weight += weight;
+    sums[celli].fluidity += weight*fluidity;
+    sums[celli].slip += weight*slip;
+}
+
+
+Foam::List<Foam::membraneInterior::across> Foam::membraneInterior::meansAcross() const
+{
+    const surfaceScalarField fluidity(linearInterpolate(1/factor_));
+    const surfaceVectorField slip(linearInterpolate(slip_));
+    const surfaceVectorField& Sf = mesh_.Sf();
+    List<across> result(mesh_.nCells(), across{0, 0, Zero});
+    forAll(mesh_.neighbour(), facei)
+    {
+        for (const label celli : {mesh_.owner()[facei], mesh_.neighbour()[facei]})
+        {
+            addFace(celli, Sf[facei], fluidity[facei], slip[facei], result);
+        }
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const labelUList& cells = mesh_.boundary()[patchi].faceCells();
+        forAll(Sf.boundaryField()[patchi], i)
+        {
+            addFace
+            (
+                cells[i],
+                Sf.boundaryField()[patchi][i],
+                fluidity.boundaryField()[patchi][i],
+                slip.boundaryField()[patchi][i],
+                result
+            );
+        }
+    }
+    return result;
 }
 
 
 Foam::tmp<Foam::volVectorField> Foam::membraneInterior::shear
 (
-    const volVectorField& U
+    const volVectorField& U,
+    const scalar mu0
 ) const
 {
     const volVectorField En("En", symm(fvc::grad(U)) & normal_);
-    return 2*shearFactor_*(En - normal_*(normal_ & En));
+    tmp<volVectorField> tresult(2*(En - normal_*(normal_ & En)));
+    vectorField& result = tresult.ref().primitiveFieldRef();
+    const List<across> means(meansAcross());
+    forAll(result, celli)
+    {
+        const across& m = means[celli];
+        if (m.weight > 0)
+        {
+            result[celli] = (m.weight*result[celli] + m.slip/mu0)/m.fluidity;
+        }
+    }
+    return tresult;
 }
 
 
@@ -71,6 +153,7 @@ void Foam::membraneInterior::add
 )
 {
     const clumpType& type = types_[image.typeId];
+    const scalar slow = 1/type.viscosityRatio() - 1;
     const boundBox nodes(image.x, false);
     DynamicList<label> cells;
     DynamicList<point> centres;
@@ -102,8 +185,7 @@ void Foam::membraneInterior::add
         const scalar width = mag(cmptMultiply(widths[celli], p.outwards));
         const scalar inside = kernel.beyond(p.distance/width);
         covered_[celli] += inside;
-        factor_[celli] += (type.viscosityRatio() - 1)*inside;
-        shearFactor_[celli] += (1/type.viscosityRatio() - 1)*inside;
+        factor_[celli] += slow*inside;
         if (inside > 0 && inside < 1)
         {
             // The same one in any order of the images, also where two are as near
@@ -113,6 +195,7 @@ void Foam::membraneInterior::add
             if (nearer > 1e-9 || (nearer > -1e-9 && number < numbers_[celli]))
             {
                 normal_[celli] = p.outwards;
+                slipLengths_[celli] = -kernel.overlap()*width*slow;
                 distances_[celli] = distance;
                 numbers_[celli] = number;
             }
@@ -130,11 +213,10 @@ void Foam::membraneInterior::set
 )
 {
     scalarField& factor = factor_.primitiveFieldRef();
-    scalarField& shearFactor = shearFactor_.primitiveFieldRef();
     factor = Zero;
-    shearFactor = Zero;
     normal_.primitiveFieldRef() = Zero;
     covered_ = scalarField(mesh_.nCells(), Zero);
+    slipLengths_ = scalarField(mesh_.nCells(), Zero);
     distances_ = scalarField(mesh_.nCells(), GREAT);
     numbers_ = labelList(mesh_.nCells(), labelMax);
     for (const clumpImage& image : images)
@@ -144,9 +226,7 @@ void Foam::membraneInterior::set
             add(image, kernels[image.typeId], geometry, widths);
         }
     }
-    factor = 1 + factor/max(covered_, scalar(1));
-    shearFactor = 1/(1 + shearFactor/max(covered_, scalar(1)));
+    factor = 1/(1 + factor/max(covered_, scalar(1)));
     factor_.correctBoundaryConditions();
-    shearFactor_.correctBoundaryConditions();
     normal_.correctBoundaryConditions();
 }

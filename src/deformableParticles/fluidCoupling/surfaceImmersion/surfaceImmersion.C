@@ -165,15 +165,16 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
 }
 
 
-Foam::scalarField Foam::surfaceImmersion::smoothing
+Foam::scalarField Foam::surfaceImmersion::widths
 (
     const clumpImage& image,
     const vectorField& areaVectors
 ) const
 {
-    const surfaceKernel& K = kernels_[image.typeId];
-    return
-        K.meanDistance()*Foam::sqrt(variances(image, areaVectors)/K.variance());
+    return Foam::sqrt
+    (
+        variances(image, areaVectors)/kernels_[image.typeId].variance()
+    );
 }
 
 
@@ -225,5 +226,9 @@ void Foam::surfaceImmersion::spread(ghostExchange& ghosts)
             force_[m.celli] +=
                 m.weight/geometry_[m.celli].volume*image.force[m.node];
         }
+    }
+    if (interior_.valid())
+    {
+        interior_->addSlip(force_);
     }
 }

@@ -17,7 +17,8 @@ Foam::surfaceKernel::surfaceKernel(const form f)
 :
     form_(f),
     variance_(0),
-    meanDistance_(0)
+    meanDistance_(0),
+    overlap_(0)
 {
     constexpr label nPlaces = 200;
     constexpr label reach = 3;
@@ -39,9 +40,12 @@ Foam::surfaceKernel::surfaceKernel(const form f)
     for (label n = 0; n < nPlaces; ++n)
     {
         const scalar y = (n + 0.5)/nPlaces;
-        for (label c = -reach; c <= reach; ++c)
+        scalar J = 0;
+        for (label c = reach; c >= -reach; --c)
         {
             const scalar K = (*this)(c - y);
+            J += K;
+            overlap_ += J*(1 - 0.5*(beyond(c - y) + beyond(c - 1 - y)))/nPlaces;
             variance_ += K*sqr(c - y)/nPlaces;
             for (label d = -reach; d <= reach; ++d)
             {
@@ -69,6 +73,22 @@ Foam::scalar Foam::surfaceKernel::beyond(const scalar r) const
         result = beyond_[n] + (place - n)*(beyond_[n + 1] - beyond_[n]);
     }
     return r < 0 ? 1 - result : result;
+}
+
+
+Foam::scalar Foam::surfaceKernel::deficit(const scalar ratio) const
+{
+    const label last = beyond_.size() - 1;
+    scalar sum = 0;
+    forAll(beyond_, n)
+    {
+        const scalar b = beyond_[n];
+        const scalar outside = 1/(1 + (1/ratio - 1)*b);
+        const scalar inside = 1/(1 + (1/ratio - 1)*(1 - b));
+        const scalar part = n == 0 || n == last ? 0.5 : 1;
+        sum += part*(1 + ratio - outside - inside);
+    }
+    return sum*support()/last;
 }
 
 

@@ -39,6 +39,7 @@ Foam::membraneMechanics::membraneMechanics
             << " example  strain { type neoHookean; shearModulus 5e-6; }"
             << exit(FatalIOError);
     }
+    layer_.reset(new layerViscosity(type.surface(), type.centres()));
     folds_.reset
     (
         new foldLocking(type.surface(), type.centres(), shearStiffness())
@@ -91,6 +92,10 @@ Foam::scalar Foam::membraneMechanics::add
         {
             energy += model.addRate(x, *start, gradient, tangent);
         }
+    }
+    if (start && start->layer.size())
+    {
+        energy += layer_->addRate(x, *start, gradient, tangent);
     }
     return energy;
 }

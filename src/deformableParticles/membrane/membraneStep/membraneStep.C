@@ -88,7 +88,8 @@ Foam::membraneModel::motion Foam::membraneStep::startOf
     return
     {
         p.state().x + parts.first()*dt*p.state().u,
-        parts.second()*dt
+        parts.second()*dt,
+        p.step().nodes.layer
     };
 }
 

@@ -208,7 +208,7 @@ TEST_CASE("surface kernels: what a layer lacks beside a sharp surface", "[membra
         CHECK(K.deficit(1.01) == Approx(1e-4*both).epsilon(0.02));
     }
 
-    // Midway between m/2 and the overlap of two indicators of mesh cells; of hat 7/24
+    // Of hat 7/24, of threePoint from another program
     CHECK(surfaceKernel(dictOf("kernel hat;")).overlap() == Approx(7.0/24).epsilon(1e-4));
     CHECK
     (

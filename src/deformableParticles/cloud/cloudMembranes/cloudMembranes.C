@@ -106,11 +106,14 @@ void Foam::cloudMembranes::immerse
             {
                 nodes.layer = mu*kernel.deficit(ratio)*nodes.widths;
             }
-            apart[typei] = max
-            (
-                apart[typei],
-                types_[typei].surface().edgeLength(image.x)/average(nodes.widths)
-            );
+            if (!checked_)
+            {
+                const scalar h = max(average(nodes.widths), VSMALL);
+                apart[typei] = max
+                (
+                    apart[typei], types_[typei].surface().edgeLength(image.x)/h
+                );
+            }
         }
     }
     if (!checked_)
@@ -130,7 +133,7 @@ void Foam::cloudMembranes::warnOfLeaks
 {
     forAll(apart, typei)
     {
-        const scalar allowed = surfaces.kernel(typei).support();
+        const scalar allowed = min(surfaces.kernel(typei).support(), scalar(1.5));
         if (apart[typei] > allowed)
         {
             WarningInFunction

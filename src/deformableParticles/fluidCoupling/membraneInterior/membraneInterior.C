@@ -29,6 +29,7 @@ Foam::membraneInterior::membraneInterior
         mesh,
         dimensionedVector(dimless, Zero)
     ),
+    slipLengths_(mesh.nCells(), Zero),
     slip_
     (
         IOobject("interiorSlip", mesh.time().timeName(), mesh),
@@ -42,6 +43,7 @@ void Foam::membraneInterior::reset()
 {
     factor_ = dimensionedScalar("factor", dimless, 1);
     normal_ = dimensionedVector(dimless, Zero);
+    slipLengths_ = scalarField(mesh_.nCells(), Zero);
     slip_ = dimensionedVector(dimPressure, Zero);
 }
 

@@ -26,15 +26,13 @@ Foam::scalar Foam::layerViscosity::addRate
     membraneTangent* tangent
 ) const
 {
-    scalar potential = 0;
-    for (const triFace& t : surface().triangles())
+    const auto& triangles = surface().triangles();
+    scalarField factors(triangles.size());
+    forAll(factors, n)
     {
-        const scalar viscosity =
-            (start.layer[t[0]] + start.layer[t[1]] + start.layer[t[2]])/3;
-        potential += addTriangle
-        (
-            t, rest(t, start.from), viscosity/start.span, x, gradient, tangent
-        );
+        const triFace& t = triangles[n];
+        const scalar sum = start.layer[t[0]] + start.layer[t[1]] + start.layer[t[2]];
+        factors[n] = sum/(3*start.span);
     }
-    return potential;
+    return addRelative(start.from, factors, x, gradient, tangent);
 }

@@ -51,13 +51,6 @@ Foam::scalar Foam::membraneModels::surfaceViscosity::addRate
     membraneTangent* tangent
 ) const
 {
-    scalar potential = 0;
-    for (const triFace& t : surface().triangles())
-    {
-        potential += addTriangle
-        (
-            t, rest(t, start.from), 1/start.span, x, gradient, tangent
-        );
-    }
-    return potential;
+    const scalarField factors(surface().triangles().size(), 1/start.span);
+    return addRelative(start.from, factors, x, gradient, tangent);
 }

@@ -179,3 +179,22 @@ Foam::scalar Foam::triangleElasticity::add
     }
     return energy;
 }
+
+
+Foam::scalar Foam::triangleElasticity::addRelative
+(
+    const pointField& from,
+    const UList<scalar>& factors,
+    const pointField& x,
+    vectorField& gradient,
+    membraneTangent* tangent
+) const
+{
+    scalar energy = 0;
+    forAll(factors, n)
+    {
+        const triFace& t = surface_.triangles()[n];
+        energy += addTriangle(t, rest(t, from), factors[n], x, gradient, tangent);
+    }
+    return energy;
+}

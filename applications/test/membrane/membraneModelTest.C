@@ -340,7 +340,7 @@ TEST_CASE("membrane: viscous forces are the gradient of their potential", "[memb
     {
         v = randomVector(random);
     }
-    const membraneModel::motion start{x - 0.05*u, 0.05};
+    const membraneModel::motion start{x - 0.05*u, 0.05, {}};
     const auto potential = [&](const pointField& y, membraneTangent* tangent = nullptr)
     {
         vectorField unused(y.size(), Zero);
@@ -380,8 +380,8 @@ TEST_CASE("membrane: viscous forces are the gradient of their potential", "[memb
     }
     CHECK(mag(sum(f)) < 1e-12*sum(mag(f)));
     CHECK(mag(torque) < 1e-12*sum(mag(f)));
-    const membraneModel::motion slow{x - 1e-6*u, 1e-6};
-    const membraneModel::motion slower{x - 0.5e-6*u, 1e-6};
+    const membraneModel::motion slow{x - 1e-6*u, 1e-6, {}};
+    const membraneModel::motion slower{x - 0.5e-6*u, 1e-6, {}};
     const vectorField ofSlow(m.mechanics.forces(x, &slow));
     CHECK(sum(ofSlow & u) < 0);
     CHECK
@@ -390,7 +390,7 @@ TEST_CASE("membrane: viscous forces are the gradient of their potential", "[memb
     );
     CHECK(max(mag(m.mechanics.forces(x))) == 0);
     const tensor R(randomRotation(random).R());
-    const membraneModel::motion rigid{(R & x) + vector(1, 2, 3), 0.1};
+    const membraneModel::motion rigid{(R & x) + vector(1, 2, 3), 0.1, {}};
     CHECK(max(mag(m.mechanics.forces(x, &rigid))) < 1e-12*max(mag(f)));
 }
 

@@ -6,7 +6,6 @@
 #include "testCatch.H"
 #include "testCase.H"
 #include "mathematicalConstants.H"
-#include "surfaceKernel.H"
 
 using namespace Foam;
 
@@ -141,31 +140,4 @@ TEST_CASE("surfaces: those that are not one closed surface are refused", "[membr
         faces[n + 4] = triFace(t[0] + 4, t[1] + 4, t[2] + 4);
     }
     CHECK_THROWS(closedSurface(two, faces, dictionary::null));
-}
-
-
-TEST_CASE("surface kernels: sum and first moment at any place", "[membrane][serial]")
-{
-    for (const word name : {"hat", "threePoint", "fourPoint"})
-    {
-        INFO(name);
-        const surfaceKernel K(dictOf("kernel " + name + ";"));
-        for (scalar y = 0; y < 1; y += 0.07)
-        {
-            scalar zeroth = 0;
-            scalar first = 0;
-            for (label c = -4; c <= 4; ++c)
-            {
-                zeroth += K(c - y);
-                first += K(c - y)*(c - y);
-            }
-            CHECK(zeroth == Approx(1).epsilon(1e-12));
-            CHECK(mag(first) < 1e-12);
-        }
-    }
-
-    // Of the hat, whose sums are polynomials: means of y (1 - y) and 2 y (1 - y)
-    const surfaceKernel hat(surfaceKernel::form::hat);
-    CHECK(hat.variance() == Approx(1.0/6).epsilon(1e-4));
-    CHECK(hat.meanDistance() == Approx(1.0/3).epsilon(1e-4));
 }

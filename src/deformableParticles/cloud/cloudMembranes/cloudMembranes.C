@@ -16,8 +16,7 @@ Foam::cloudMembranes::cloudMembranes
 :
     mesh_(mesh),
     types_(types),
-    contacts_(types, clumpProperties),
-    checked_(false)
+    contacts_(types, clumpProperties)
 {}
 
 
@@ -27,6 +26,7 @@ void Foam::cloudMembranes::read(const label typei, const dictionary& dict)
     if (types_[typei].hasSurface())
     {
         steps_.set(typei, new membraneStep(types_[typei], dict, contacts_));
+        unchecked_.insert(typei);
     }
 }
 
@@ -88,7 +88,6 @@ void Foam::cloudMembranes::immerse
 )
 {
     surfaces.update(ghosts);
-    scalarList apart(types_.size(), Zero);
     label index = 0;
     for (clumpParcel& p : clumps)
     {
@@ -100,40 +99,56 @@ void Foam::cloudMembranes::immerse
             nodeFlow& nodes = p.step().nodes;
             const surfaceKernel& kernel = surfaces.kernel(typei);
             const scalar ratio = types_[typei].viscosityRatio();
-            nodes.widths = surfaces.widths(image, nodes.areaVectors);
-            nodes.smoothing = kernel.meanDistance()*nodes.widths;
+            const scalarField widths(surfaces.widths(image, nodes.areaVectors));
+            nodes.smoothing = widths;
+            forAll(widths, i)
+            {
+                nodes.smoothing[i] *=
+                    kernel.meanDistance(normalised(nodes.areaVectors[i]));
+            }
             if (ratio != 1)
             {
-                nodes.layer = mu*kernel.deficit(ratio)*nodes.widths;
-            }
-            if (!checked_)
-            {
-                const scalar h = max(average(nodes.widths), VSMALL);
-                apart[typei] = max
-                (
-                    apart[typei], types_[typei].surface().edgeLength(image.x)/h
-                );
+                nodes.layer = mu*kernel.deficit(ratio)*widths;
             }
         }
     }
-    if (!checked_)
+    if (unchecked_.size())
     {
-        reduceList(apart, maxEqOp<scalar>());
-        warnOfLeaks(apart, surfaces);
-        checked_ = max(apart) > 0;
+        warnOfLeaks(clumps, ghosts, surfaces);
     }
 }
 
 
 void Foam::cloudMembranes::warnOfLeaks
 (
-    const scalarList& apart,
+    const Cloud<clumpParcel>& clumps,
+    const ghostExchange& ghosts,
     const surfaceImmersion& surfaces
-) const
+)
 {
+    scalarList apart(types_.size(), Zero);
+    label index = 0;
+    for (const clumpParcel& p : clumps)
+    {
+        const clumpImage& image = ghosts.images()[index++];
+        const label typei = p.typeId();
+        if (unchecked_.found(typei))
+        {
+            const closedSurface& surface = types_[typei].surface();
+            const scalar h =
+                average(surfaces.widths(image, surface.areaVectors(image.x)));
+            apart[typei] =
+                max(apart[typei], surface.edgeLength(image.x)/max(h, VSMALL));
+        }
+    }
+    reduceList(apart, maxEqOp<scalar>());
     forAll(apart, typei)
     {
         const scalar allowed = min(surfaces.kernel(typei).support(), scalar(1.5));
+        if (apart[typei] > 0)
+        {
+            unchecked_.erase(typei);
+        }
         if (apart[typei] > allowed)
         {
             WarningInFunction
@@ -231,8 +246,13 @@ void Foam::cloudMembranes::sharpen
         if (other)
         {
             // The part of the force follows in membraneStep
-            kink = (1 - 1/ratio)*(image.sampled - n*(n & image.sampled));
-            nodes.u -= surfaces.kernel(p.typeId()).overlap()*nodes.widths*kink;
+            kink = (1 - 1/ratio)*image.sampled;
+            const surfaceKernel& kernel = surfaces.kernel(p.typeId());
+            const scalarField widths(surfaces.widths(image, nodes.areaVectors));
+            forAll(n, i)
+            {
+                nodes.u[i] -= kernel.overlap(n[i])*widths[i]*kink[i];
+            }
         }
         const vectorField& F = nodes.force;
         kink -= 0.5*(1 + 1/ratio)/mu*(F - n*(n & F))/nodes.areas;

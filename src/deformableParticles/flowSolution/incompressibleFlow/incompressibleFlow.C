@@ -15,6 +15,7 @@
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
 #include "initialPressure.H"
+#include "membraneInterior.H"
 #include "solverSettings.H"
 #include "unsolvedPhysics.H"
 
@@ -268,7 +269,7 @@ void Foam::incompressibleFlow::setInterior(const membraneInterior* interior)
     interior_ = interior;
     if (interior && solved_)
     {
-        variable_.reset(new variableViscosity(*U_));
+        variable_.reset(new variableViscosity(*U_, *interior));
     }
 }
 

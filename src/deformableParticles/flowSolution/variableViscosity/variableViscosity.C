@@ -6,12 +6,19 @@
 #include "variableViscosity.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
+#include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
+#include "membraneInterior.H"
 
-Foam::variableViscosity::variableViscosity(volVectorField& U)
+Foam::variableViscosity::variableViscosity
+(
+    volVectorField& U,
+    const membraneInterior& interior
+)
 :
     U_(U),
+    interior_(interior),
     acceleration_(6),
     nPasses_(0)
 {}
@@ -19,10 +26,15 @@ Foam::variableViscosity::variableViscosity(volVectorField& U)
 
 Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
 {
-    const volTensorField gradU("gradU", fvc::grad(U_));
+    const fvMesh& mesh = U_.mesh();
+    const surfaceVectorField transposed
+    (
+        mesh.Sf() & linearInterpolate(T(fvc::grad(U_)))
+    );
     return fvc::div
     (
-        *excess_*(U_.mesh().Sf() & linearInterpolate(T(gradU)))
+        *excess_*transposed
+      + interior_.couple(*nu_*(mesh.magSf()*fvc::snGrad(U_) + transposed))
     );
 }
 
@@ -41,8 +53,9 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::variableViscosity::stress
     // Set anew in every step: a change of the mesh need not map them
     nu_->checkOut();
     excess_->checkOut();
-    return
-        -fvm::laplacian(*nu_, U_, "laplacian(nuEff,U)") - coupling();
+    const volVectorField rest(coupling());
+    rest_ = rest.primitiveField();
+    return -fvm::laplacian(*nu_, U_, "laplacian(nuEff,U)") - rest;
 }
 
 
@@ -75,10 +88,7 @@ void Foam::variableViscosity::solve
 
     const scalarField& V = U_.mesh().V();
     const scalar volume = gSum(V);
-    const vectorField others
-    (
-        UEqn.source() - V*coupling()().primitiveField()
-    );
+    const vectorField others(UEqn.source() - V*rest_);
     acceleration_.clear();
     for (nPasses_ = 1; true; ++nPasses_)
     {

@@ -6,35 +6,42 @@
 #include "membraneInterior.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
+#include "fvcReconstruct.H"
+#include "fvcSnGrad.H"
 #include "linear.H"
 #include "surfaceDistance.H"
 
 Foam::membraneInterior::membraneInterior
 (
     const fvMesh& mesh,
-    const PtrList<clumpType>& types
+    const PtrList<clumpType>& types,
+    const UPtrList<surfaceKernel>& kernels,
+    const cellGeometry& geometry,
+    const vectorField& widths
 )
 :
     mesh_(mesh),
     types_(types),
+    kernels_(kernels),
+    geometry_(geometry),
+    widths_(widths),
     factor_
     (
         IOobject("viscosityFactor", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar("factor", dimless, 1)
     ),
+    slip_
+    (
+        IOobject("interiorSlip", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedSymmTensor(dimPressure, Zero)
+    ),
     normal_
     (
         IOobject("interiorNormal", mesh.time().timeName(), mesh),
         mesh,
         dimensionedVector(dimless, Zero)
-    ),
-    slipLengths_(mesh.nCells(), Zero),
-    slip_
-    (
-        IOobject("interiorSlip", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimPressure, Zero)
     )
 {}
 
@@ -42,94 +49,83 @@ Foam::membraneInterior::membraneInterior
 void Foam::membraneInterior::reset()
 {
     factor_ = dimensionedScalar("factor", dimless, 1);
+    slip_ = dimensionedSymmTensor(dimPressure, Zero);
     normal_ = dimensionedVector(dimless, Zero);
-    slipLengths_ = scalarField(mesh_.nCells(), Zero);
-    slip_ = dimensionedVector(dimPressure, Zero);
 }
 
 
-void Foam::membraneInterior::addSlip(volVectorField& force)
+Foam::tmp<Foam::surfaceScalarField> Foam::membraneInterior::faceFactor() const
 {
-    const vectorField& n = normal_;
-    const vectorField& f = force;
-    slip_.primitiveFieldRef() = slipLengths_*(f - n*(n & f));
-    slip_.correctBoundaryConditions();
-    const surfaceVectorField flux
-    (
-        (mesh_.Sf() & linearInterpolate(twoSymm(normal_*slip_)))
-       /linearInterpolate(1/factor_)
-    );
-    force.primitiveFieldRef() += fvc::div(flux)().primitiveField();
+    return 1/linearInterpolate(1/factor_);
 }
 
 
-void Foam::membraneInterior::addFace
+void Foam::membraneInterior::addSlip
 (
-    const label celli,
-    const vector& Sf,
-    const scalar fluidity,
-    const vector& slip,
-    List<across>& sums
+    const UList<clumpImage>& images,
+    const UList<DynamicList<surfaceMeeting>>& meetings,
+    volVectorField& force
+)
+{
+    symmTensorField& slip = slip_.primitiveFieldRef();
+    slip = Zero;
+    forAll(images, a)
+    {
+        const clumpImage& image = images[a];
+        const vectorField& normals = normals_[a];
+        if (normals.empty())
+        {
+            continue;
+        }
+        const surfaceKernel& kernel = kernels_[image.typeId];
+        const scalar kink = 1 - 1/types_[image.typeId].viscosityRatio();
+        for (const surfaceMeeting& m : meetings[a])
+        {
+            const vector& n = normals[m.node];
+            const vector& F = image.force[m.node];
+            const scalar length =
+                kernel.overlap(n)*mag(cmptMultiply(widths_[m.celli], n))*kink;
+            slip[m.celli] +=
+                m.weight*length/geometry_[m.celli].volume
+               *twoSymm(n*(F - n*(n & F)));
+        }
+    }
+    slip_.correctBoundaryConditions();
+    const surfaceVectorField forces
+    (
+        faceFactor()*(mesh_.Sf() & linearInterpolate(slip_))
+    );
+    force.primitiveFieldRef() += fvc::div(forces + couple(forces))().primitiveField();
+}
+
+
+Foam::tmp<Foam::surfaceVectorField> Foam::membraneInterior::couple
+(
+    const surfaceVectorField& forces
 ) const
 {
-    const scalar weight = sqr(normal_[celli] & Sf)/mag(Sf);
-    sums[celli].weight += weight;
-    sums[celli].fluidity += weight*fluidity;
-    sums[celli].slip += weight*slip;
+    const volTensorField stress(fvc::reconstruct(forces));
+    const volVectorField difference((normal_ & stress) - (stress & normal_));
+    return mesh_.Sf() & linearInterpolate(difference*normal_);
 }
 
 
-Foam::List<Foam::membraneInterior::across> Foam::membraneInterior::meansAcross() const
-{
-    const surfaceScalarField fluidity(linearInterpolate(1/factor_));
-    const surfaceVectorField slip(linearInterpolate(slip_));
-    const surfaceVectorField& Sf = mesh_.Sf();
-    List<across> result(mesh_.nCells(), across{0, 0, Zero});
-    forAll(mesh_.neighbour(), facei)
-    {
-        for (const label celli : {mesh_.owner()[facei], mesh_.neighbour()[facei]})
-        {
-            addFace(celli, Sf[facei], fluidity[facei], slip[facei], result);
-        }
-    }
-    forAll(mesh_.boundary(), patchi)
-    {
-        const labelUList& cells = mesh_.boundary()[patchi].faceCells();
-        forAll(Sf.boundaryField()[patchi], i)
-        {
-            addFace
-            (
-                cells[i],
-                Sf.boundaryField()[patchi][i],
-                fluidity.boundaryField()[patchi][i],
-                slip.boundaryField()[patchi][i],
-                result
-            );
-        }
-    }
-    return result;
-}
-
-
-Foam::tmp<Foam::volVectorField> Foam::membraneInterior::shear
+Foam::tmp<Foam::volTensorField> Foam::membraneInterior::strain
 (
     const volVectorField& U,
     const scalar mu0
 ) const
 {
-    const volVectorField En("En", symm(fvc::grad(U)) & normal_);
-    tmp<volVectorField> tresult(2*(En - normal_*(normal_ & En)));
-    vectorField& result = tresult.ref().primitiveFieldRef();
-    const List<across> means(meansAcross());
-    forAll(result, celli)
-    {
-        const across& m = means[celli];
-        if (m.weight > 0)
-        {
-            result[celli] = (m.weight*result[celli] + m.slip/mu0)/m.fluidity;
-        }
-    }
-    return tresult;
+    const volTensorField gradU("gradU", fvc::grad(U));
+    const dimensionedScalar mu("mu", dimDynamicViscosity, mu0);
+    return fvc::reconstruct
+    (
+        faceFactor()
+       *(
+            mesh_.magSf()*fvc::snGrad(U)
+          + (mesh_.Sf() & linearInterpolate(T(gradU) + slip_/mu))
+        )
+    );
 }
 
 
@@ -146,25 +142,20 @@ bool Foam::membraneInterior::wanted(const PtrList<clumpType>& types)
 }
 
 
-void Foam::membraneInterior::add
-(
-    const clumpImage& image,
-    const surfaceKernel& kernel,
-    const cellGeometry& geometry,
-    const vectorField& widths
-)
+void Foam::membraneInterior::add(const clumpImage& image, scalarField& covered)
 {
     const clumpType& type = types_[image.typeId];
+    const surfaceKernel& kernel = kernels_[image.typeId];
     const scalar slow = 1/type.viscosityRatio() - 1;
     const boundBox nodes(image.x, false);
     DynamicList<label> cells;
     DynamicList<point> centres;
 
     // A mesh cell reaches at least half its width from its centre
-    for (const label celli : geometry.find(nodes, 2*kernel.support()))
+    for (const label celli : geometry_.find(nodes, 2*kernel.support()))
     {
-        const point& x = geometry[celli].x;
-        const vector reach(kernel.support()*widths[celli]);
+        const point& x = geometry_[celli].x;
+        const vector reach(kernel.support()*widths_[celli]);
         if (boundBox(x - reach, x + reach).overlaps(nodes))
         {
             cells.append(celli);
@@ -184,24 +175,10 @@ void Foam::membraneInterior::add
     {
         const auto& p = places[k];
         const label celli = cells[k];
-        const scalar width = mag(cmptMultiply(widths[celli], p.outwards));
+        const scalar width = mag(cmptMultiply(widths_[celli], p.outwards));
         const scalar inside = kernel.beyond(p.distance/width);
-        covered_[celli] += inside;
+        covered[celli] += inside;
         factor_[celli] += slow*inside;
-        if (inside > 0 && inside < 1)
-        {
-            // The same one in any order of the images, also where two are as near
-            const scalar distance = mag(p.distance)/width;
-            const label number = image.id.second();
-            const scalar nearer = distances_[celli] - distance;
-            if (nearer > 1e-9 || (nearer > -1e-9 && number < numbers_[celli]))
-            {
-                normal_[celli] = p.outwards;
-                slipLengths_[celli] = -kernel.overlap()*width*slow;
-                distances_[celli] = distance;
-                numbers_[celli] = number;
-            }
-        }
     }
 }
 
@@ -209,26 +186,38 @@ void Foam::membraneInterior::add
 void Foam::membraneInterior::set
 (
     const UList<clumpImage>& images,
-    const UPtrList<surfaceKernel>& kernels,
-    const cellGeometry& geometry,
-    const vectorField& widths
+    const UList<DynamicList<surfaceMeeting>>& meetings
 )
 {
     scalarField& factor = factor_.primitiveFieldRef();
+    vectorField& normal = normal_.primitiveFieldRef();
     factor = Zero;
-    normal_.primitiveFieldRef() = Zero;
-    covered_ = scalarField(mesh_.nCells(), Zero);
-    slipLengths_ = scalarField(mesh_.nCells(), Zero);
-    distances_ = scalarField(mesh_.nCells(), GREAT);
-    numbers_ = labelList(mesh_.nCells(), labelMax);
-    for (const clumpImage& image : images)
+    normal = Zero;
+    scalarField covered(mesh_.nCells(), Zero);
+    normals_ = List<vectorField>(images.size());
+    forAll(images, a)
     {
-        if (types_[image.typeId].viscosityRatio() != 1)
+        const clumpType& type = types_[images[a].typeId];
+        if (type.viscosityRatio() == 1)
         {
-            add(image, kernels[image.typeId], geometry, widths);
+            continue;
         }
+        normals_[a] = type.surface().areaVectors(images[a].x);
+        for (vector& n : normals_[a])
+        {
+            n.normalise();
+        }
+        for (const surfaceMeeting& m : meetings[a])
+        {
+            normal[m.celli] += m.weight*normals_[a][m.node];
+        }
+        add(images[a], covered);
     }
-    factor = 1/(1 + factor/max(covered_, scalar(1)));
+    factor = 1/(1 + factor/max(covered, scalar(1)));
+    for (vector& n : normal)
+    {
+        n.normalise();
+    }
     factor_.correctBoundaryConditions();
     normal_.correctBoundaryConditions();
 }

@@ -34,7 +34,10 @@ Foam::surfaceImmersion::surfaceImmersion
     setWidths();
     if (membraneInterior::wanted(types))
     {
-        interior_.reset(new membraneInterior(mesh, types));
+        interior_.reset
+        (
+            new membraneInterior(mesh, types, kernels_, geometry_, widths_)
+        );
     }
 }
 
@@ -83,7 +86,7 @@ void Foam::surfaceImmersion::meshChanged()
 void Foam::surfaceImmersion::find
 (
     const clumpImage& image,
-    DynamicList<meeting>& meetings
+    DynamicList<surfaceMeeting>& meetings
 ) const
 {
     meetings.clear();
@@ -135,7 +138,7 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
             continue;
         }
         find(image, meetings_[a]);
-        for (const meeting& m : meetings_[a])
+        for (const surfaceMeeting& m : meetings_[a])
         {
             image.moments.m0[m.node] += m.weight;
             image.moments.m1[m.node] += m.weight*m.r;
@@ -153,14 +156,14 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
     forAll(images, a)
     {
         const nodeWeights& w = images[a].weights;
-        for (meeting& m : meetings_[a])
+        for (surfaceMeeting& m : meetings_[a])
         {
             m.weight *= w.a[m.node] + (w.b[m.node] & m.r);
         }
     }
     if (interior_.valid())
     {
-        interior_->set(images, kernels_, geometry_, widths_);
+        interior_->set(images, meetings_);
     }
 }
 
@@ -205,9 +208,37 @@ void Foam::surfaceImmersion::sample
         clumpImage& image = ghosts.images()[a];
         image.sampled.setSize(image.weights.a.size());
         image.sampled = Zero;
-        for (const meeting& m : meetings_[a])
+        for (const surfaceMeeting& m : meetings_[a])
         {
             image.sampled[m.node] += m.weight*U[m.celli];
+        }
+    }
+    ghosts.returnSamples();
+}
+
+
+void Foam::surfaceImmersion::sampleShear
+(
+    const volVectorField& U,
+    ghostExchange& ghosts,
+    const scalar mu
+) const
+{
+    const volTensorField strain(interior_->strain(U, mu));
+    forAll(meetings_, a)
+    {
+        clumpImage& image = ghosts.images()[a];
+        const vectorField& normals = interior_->normals(a);
+        image.sampled.setSize(image.weights.a.size());
+        image.sampled = Zero;
+        if (normals.size())
+        {
+            for (const surfaceMeeting& m : meetings_[a])
+            {
+                const vector& n = normals[m.node];
+                const vector t(n & strain[m.celli]);
+                image.sampled[m.node] += m.weight*(t - n*(n & t));
+            }
         }
     }
     ghosts.returnSamples();
@@ -221,7 +252,7 @@ void Foam::surfaceImmersion::spread(ghostExchange& ghosts)
     forAll(meetings_, a)
     {
         const clumpImage& image = ghosts.images()[a];
-        for (const meeting& m : meetings_[a])
+        for (const surfaceMeeting& m : meetings_[a])
         {
             force_[m.celli] +=
                 m.weight/geometry_[m.celli].volume*image.force[m.node];
@@ -229,6 +260,6 @@ void Foam::surfaceImmersion::spread(ghostExchange& ghosts)
     }
     if (interior_.valid())
     {
-        interior_->addSlip(force_);
+        interior_->addSlip(ghosts.images(), meetings_, force_);
     }
 }

@@ -13,15 +13,59 @@ const Foam::Enum<Foam::surfaceKernel::form> Foam::surfaceKernel::names
 });
 
 
-Foam::surfaceKernel::surfaceKernel(const form f)
-:
-    form_(f),
-    variance_(0),
-    meanDistance_(0),
-    overlap_(0)
+Foam::scalar Foam::surfaceKernel::twice(const scalar r) const
 {
     constexpr label nPlaces = 200;
-    constexpr label reach = 3;
+    const scalar step = 2*support()/nPlaces;
+    scalar sum = 0;
+    for (label n = 0; n < nPlaces; ++n)
+    {
+        const scalar s = (n + 0.5)*step - support();
+        sum += step*(*this)(s)*(*this)(r - s);
+    }
+    return sum;
+}
+
+
+Foam::surfaceKernel::plane Foam::surfaceKernel::planeOf(const bool diagonal) const
+{
+    constexpr label nPlaces = 200;
+    constexpr label reach = 5;
+    const scalar spacing = diagonal ? Foam::sqrt(0.5) : 1;
+
+    plane result{0, 0, 0};
+    FixedList<scalar, 2*reach + 1> W;
+    for (label n = 0; n < nPlaces; ++n)
+    {
+        const scalar y = (n + 0.5)/nPlaces;
+        for (label c = -reach; c <= reach; ++c)
+        {
+            W[c + reach] = diagonal ? twice(c - y) : (*this)(c - y);
+        }
+        scalar J = 0;
+        for (label c = reach; c >= -reach; --c)
+        {
+            const scalar d = spacing*(c - y);
+            const scalar part = W[c + reach]*spacing/nPlaces;
+            J += W[c + reach];
+            result.overlap +=
+                J*(1 - 0.5*(beyond(d) + beyond(d - spacing)))*spacing/nPlaces;
+            result.variance += part*sqr(d)/spacing;
+            for (label e = -reach; e <= reach; ++e)
+            {
+                result.meanDistance += part*W[e + reach]*mag(c - e);
+            }
+        }
+    }
+    return result;
+}
+
+
+Foam::surfaceKernel::surfaceKernel(const form f)
+:
+    form_(f)
+{
+    constexpr label nPlaces = 200;
 
     // By the trapezoidal rule, from the middle
     beyond_ = scalarList(nPlaces + 1, 0.5);
@@ -36,23 +80,8 @@ Foam::surfaceKernel::surfaceKernel(const form f)
     {
         b = 0.5*(b - rest)/(0.5 - rest);
     }
-
-    for (label n = 0; n < nPlaces; ++n)
-    {
-        const scalar y = (n + 0.5)/nPlaces;
-        scalar J = 0;
-        for (label c = reach; c >= -reach; --c)
-        {
-            const scalar K = (*this)(c - y);
-            J += K;
-            overlap_ += J*(1 - 0.5*(beyond(c - y) + beyond(c - 1 - y)))/nPlaces;
-            variance_ += K*sqr(c - y)/nPlaces;
-            for (label d = -reach; d <= reach; ++d)
-            {
-                meanDistance_ += K*(*this)(d - y)*mag(c - d)/nPlaces;
-            }
-        }
-    }
+    along_ = planeOf(false);
+    diagonal_ = planeOf(true);
 }
 
 
@@ -73,6 +102,12 @@ Foam::scalar Foam::surfaceKernel::beyond(const scalar r) const
         result = beyond_[n] + (place - n)*(beyond_[n + 1] - beyond_[n]);
     }
     return r < 0 ? 1 - result : result;
+}
+
+
+Foam::scalar Foam::surfaceKernel::oblique(const vector& n)
+{
+    return 2*(1 - magSqr(cmptMultiply(n, n)));
 }
 
 

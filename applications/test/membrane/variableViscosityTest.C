@@ -69,6 +69,48 @@ TEST_CASE("variable viscosity: a rotation has no stress", "[membrane][parallel]"
 }
 
 
+TEST_CASE("variable viscosity: a sphere that turns with the fluid around it",
+    "[membrane][parallel]")
+{
+    const fvMesh& mesh = testMesh();
+    const testInterior sphere(List<point>(1, point(10e-6, 10e-6, 10e-6)), 20);
+    const volScalarField nu
+    (
+        dimensionedScalar("nu", dimViscosity, 1e-6)*sphere.factor()
+    );
+    volVectorField U
+    (
+        IOobject("U", mesh.time().timeName(), mesh), mesh,
+        dimensionedVector(dimVelocity, Zero), "fixedValue"
+    );
+    variableViscosity viscosity(U, *sphere.immersion->interior());
+    const auto largestForce = [&](const tensor& gradient)
+    {
+        forAll(U, celli)
+        {
+            U[celli] = gradient & (mesh.cellCentres()[celli] - 1e-5*vector::one);
+        }
+        U.correctBoundaryConditions();
+        const tmp<fvVectorMatrix> tstress(viscosity.stress(nu));
+        const volVectorField force(tstress() & U);
+
+        // The box is periodic, the velocity is not
+        scalar result = 0;
+        forAll(U, celli)
+        {
+            const vector x(mesh.cellCentres()[celli] - 1e-5*vector::one);
+            if (cmptMax(cmptMag(x)) < 7.6e-6)
+            {
+                result = max(result, mag(force[celli]));
+            }
+        }
+        return returnReduce(result, maxOp<scalar>());
+    };
+    const scalar sheared = largestForce(tensor(0, 10, 0, 10, 0, 0, 0, 0, 0));
+    CHECK(largestForce(tensor(0, 10, 20, -10, 0, 30, -20, -30, 0)) < 1e-9*sheared);
+}
+
+
 TEST_CASE("variable viscosity: the momentum equation is solved with all of it",
     "[membrane][parallel]")
 {

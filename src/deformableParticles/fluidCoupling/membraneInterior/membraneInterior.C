@@ -6,7 +6,6 @@
 #include "membraneInterior.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
-#include "fvcReconstruct.H"
 #include "fvcSnGrad.H"
 #include "linear.H"
 #include "surfaceDistance.H"
@@ -37,12 +36,7 @@ Foam::membraneInterior::membraneInterior
         mesh,
         dimensionedSymmTensor(dimPressure, Zero)
     ),
-    normal_
-    (
-        IOobject("interiorNormal", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimless, Zero)
-    )
+    across_(mesh.nCells(), Zero)
 {}
 
 
@@ -50,7 +44,8 @@ void Foam::membraneInterior::reset()
 {
     factor_ = dimensionedScalar("factor", dimless, 1);
     slip_ = dimensionedSymmTensor(dimPressure, Zero);
-    normal_ = dimensionedVector(dimless, Zero);
+    across_ = symmTensorField(mesh_.nCells(), Zero);
+    normals_.clear();
 }
 
 
@@ -69,7 +64,7 @@ void Foam::membraneInterior::addSlip
 {
     symmTensorField& slip = slip_.primitiveFieldRef();
     slip = Zero;
-    forAll(images, a)
+    forAll(meetings, a)
     {
         const clumpImage& image = images[a];
         const vectorField& normals = normals_[a];
@@ -78,16 +73,20 @@ void Foam::membraneInterior::addSlip
             continue;
         }
         const surfaceKernel& kernel = kernels_[image.typeId];
-        const scalar kink = 1 - 1/types_[image.typeId].viscosityRatio();
+        const scalar part = 1 - 1/types_[image.typeId].viscosityRatio();
+        vectorField s(normals.size());
+        forAll(s, i)
+        {
+            const vector& n = normals[i];
+            const vector& F = image.force[i];
+            s[i] = kernel.overlap(n)*part*(F - n*(n & F));
+        }
         for (const surfaceMeeting& m : meetings[a])
         {
             const vector& n = normals[m.node];
-            const vector& F = image.force[m.node];
-            const scalar length =
-                kernel.overlap(n)*mag(cmptMultiply(widths_[m.celli], n))*kink;
+            const scalar width = mag(cmptMultiply(widths_[m.celli], n));
             slip[m.celli] +=
-                m.weight*length/geometry_[m.celli].volume
-               *twoSymm(n*(F - n*(n & F)));
+                m.weight*width/geometry_[m.celli].volume*twoSymm(n*s[m.node]);
         }
     }
     slip_.correctBoundaryConditions();
@@ -99,14 +98,69 @@ void Foam::membraneInterior::addSlip
 }
 
 
+Foam::tmp<Foam::volTensorField> Foam::membraneInterior::stressIn
+(
+    const surfaceVectorField& forces
+) const
+{
+    const surfaceVectorField& Sf = mesh_.Sf();
+    tmp<volTensorField> tresult
+    (
+        new volTensorField
+        (
+            IOobject("interiorStress", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedTensor(forces.dimensions()/dimArea, Zero)
+        )
+    );
+    tensorField& result = tresult.ref().primitiveFieldRef();
+    symmTensorField areas(mesh_.nCells(), Zero);
+    const auto add = [&](const label celli, const vector& S, const vector& force)
+    {
+        if (inLayer(celli))
+        {
+            areas[celli] += sqr(S)/mag(S);
+            result[celli] += S*force/mag(S);
+        }
+    };
+    forAll(mesh_.neighbour(), facei)
+    {
+        add(mesh_.owner()[facei], Sf[facei], forces[facei]);
+        add(mesh_.neighbour()[facei], Sf[facei], forces[facei]);
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const labelUList& cells = mesh_.boundary()[patchi].faceCells();
+        const vectorField& S = Sf.boundaryField()[patchi];
+        forAll(S, i)
+        {
+            add(cells[i], S[i], forces.boundaryField()[patchi][i]);
+        }
+    }
+    forAll(result, celli)
+    {
+        if (inLayer(celli))
+        {
+            result[celli] = inv(areas[celli]) & result[celli];
+        }
+    }
+    return tresult;
+}
+
+
 Foam::tmp<Foam::surfaceVectorField> Foam::membraneInterior::couple
 (
     const surfaceVectorField& forces
 ) const
 {
-    const volTensorField stress(fvc::reconstruct(forces));
-    const volVectorField difference((normal_ & stress) - (stress & normal_));
-    return mesh_.Sf() & linearInterpolate(difference*normal_);
+    volTensorField change(stressIn(forces));
+    forAll(change, celli)
+    {
+        const tensor& T = change[celli];
+        change[celli] = (T.T() - T) & across_[celli];
+    }
+    change.correctBoundaryConditions();
+    return mesh_.Sf() & linearInterpolate(change);
 }
 
 
@@ -118,7 +172,7 @@ Foam::tmp<Foam::volTensorField> Foam::membraneInterior::strain
 {
     const volTensorField gradU("gradU", fvc::grad(U));
     const dimensionedScalar mu("mu", dimDynamicViscosity, mu0);
-    return fvc::reconstruct
+    return stressIn
     (
         faceFactor()
        *(
@@ -190,9 +244,8 @@ void Foam::membraneInterior::set
 )
 {
     scalarField& factor = factor_.primitiveFieldRef();
-    vectorField& normal = normal_.primitiveFieldRef();
     factor = Zero;
-    normal = Zero;
+    across_ = Zero;
     scalarField covered(mesh_.nCells(), Zero);
     normals_ = List<vectorField>(images.size());
     forAll(images, a)
@@ -209,15 +262,14 @@ void Foam::membraneInterior::set
         }
         for (const surfaceMeeting& m : meetings[a])
         {
-            normal[m.celli] += m.weight*normals_[a][m.node];
+            across_[m.celli] += max(m.weight, scalar(0))*sqr(normals_[a][m.node]);
         }
         add(images[a], covered);
     }
     factor = 1/(1 + factor/max(covered, scalar(1)));
-    for (vector& n : normal)
-    {
-        n.normalise();
-    }
     factor_.correctBoundaryConditions();
-    normal_.correctBoundaryConditions();
+    for (symmTensor& nn : across_)
+    {
+        nn /= max(tr(nn), VSMALL);
+    }
 }

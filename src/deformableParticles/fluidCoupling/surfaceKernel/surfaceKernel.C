@@ -27,11 +27,11 @@ Foam::scalar Foam::surfaceKernel::twice(const scalar r) const
 }
 
 
-Foam::surfaceKernel::plane Foam::surfaceKernel::planeOf(const bool diagonal) const
+Foam::surfaceKernel::plane Foam::surfaceKernel::planeAt(const bool angle) const
 {
     constexpr label nPlaces = 200;
     constexpr label reach = 5;
-    const scalar spacing = diagonal ? Foam::sqrt(0.5) : 1;
+    const scalar spacing = angle ? Foam::sqrt(0.5) : 1;
 
     plane result{0, 0, 0};
     FixedList<scalar, 2*reach + 1> W;
@@ -40,7 +40,7 @@ Foam::surfaceKernel::plane Foam::surfaceKernel::planeOf(const bool diagonal) con
         const scalar y = (n + 0.5)/nPlaces;
         for (label c = -reach; c <= reach; ++c)
         {
-            W[c + reach] = diagonal ? twice(c - y) : (*this)(c - y);
+            W[c + reach] = angle ? twice(c - y) : (*this)(c - y);
         }
         scalar J = 0;
         for (label c = reach; c >= -reach; --c)
@@ -80,8 +80,8 @@ Foam::surfaceKernel::surfaceKernel(const form f)
     {
         b = 0.5*(b - rest)/(0.5 - rest);
     }
-    along_ = planeOf(false);
-    diagonal_ = planeOf(true);
+    along_ = planeAt(false);
+    at45_ = planeAt(true);
 }
 
 

@@ -268,8 +268,9 @@ void Foam::membraneInterior::set
     }
     factor = 1/(1 + factor/max(covered, scalar(1)));
     factor_.correctBoundaryConditions();
-    for (symmTensor& nn : across_)
+    for (symmTensor& N : across_)
     {
-        nn /= max(tr(nn), VSMALL);
+        N = innerSqr(innerSqr(N/max(tr(N), VSMALL)));
+        N /= max(tr(N), VSMALL);
     }
 }

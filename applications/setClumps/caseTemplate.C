@@ -28,9 +28,27 @@ std::string rounded(const Type& value)
     return os.str();
 }
 
-//- Mesh cells per diameter that the solver needs, and that are recommended
-const scalar leastResolution = 2;
-const scalar goodResolution = 4;
+//- What the mesh has to resolve, with the mesh cells per diameter that the solver needs,
+//  and those that are recommended
+struct resolution
+{
+    const char* of;
+    const char* good;
+    scalar diameter;
+    scalar least;
+    scalar wanted;
+};
+
+resolution needed(const clumpType& type)
+{
+    return
+        type.hasSurface()
+      ? resolution
+        {
+            "Its membrane", "give the deformation of a capsule", 2*type.reach(), 6, 10
+        }
+      : resolution{"Its smallest sphere", "give the drag", 2*min(type.radii()), 2, 4};
+}
 
 }
 
@@ -120,14 +138,14 @@ Foam::scalar Foam::caseTemplate::bestResolution
     const scalarField& distance
 ) const
 {
-    const scalar sphere = 2*min(type.radii());
+    const resolution need(needed(type));
     const scalar room = 1.02*type.reach();
     scalar best = 0;
     forAll(distance, celli)
     {
         if (distance[celli] > room)
         {
-            best = max(best, sphere/width(celli));
+            best = max(best, need.diameter/width(celli));
         }
     }
     if (max(distance) <= room)
@@ -138,15 +156,15 @@ Foam::scalar Foam::caseTemplate::bestResolution
             << " m from walls and open patches: the clump does not fit."
             << exit(FatalError);
     }
-    if (best < leastResolution)
+    if (best < need.least)
     {
         FatalErrorInFunction
-            << unitHint(2*type.reach()).c_str() << nl << "    Its spheres of "
-            << rounded(sphere).c_str() << " m have at most "
+            << unitHint(2*type.reach()).c_str() << nl << "    " << need.of << " of "
+            << rounded(need.diameter).c_str() << " m has at most "
             << rounded(best).c_str() << " mesh cells per diameter; at least "
-            << leastResolution << " are needed, " << goodResolution
-            << " give the drag within a few per cent: make the mesh cells "
-            << rounded(goodResolution/best).c_str() << " times smaller."
+            << need.least << " are needed, " << need.wanted << ' ' << need.good
+            << " within a few per cent: make the mesh cells "
+            << rounded(need.wanted/best).c_str() << " times smaller."
             << exit(FatalError);
     }
     return best;
@@ -156,13 +174,13 @@ Foam::scalar Foam::caseTemplate::bestResolution
 void Foam::caseTemplate::choosePosition(const clumpType& type)
 {
     const scalarField distance(surfaceDistance());
-    const scalar sphere = 2*min(type.radii());
+    const resolution need(needed(type));
     const point middle(mesh_.bounds().midpoint());
 
     // Resolved nearly as well as possible, far from the surfaces, in the middle
     const scalar wanted = max
     (
-        leastResolution, min(0.75*bestResolution(type, distance), goodResolution)
+        need.least, min(0.75*bestResolution(type, distance), need.wanted)
     );
     scalar farthest = 0;
     scalar nearest = GREAT;
@@ -172,7 +190,7 @@ void Foam::caseTemplate::choosePosition(const clumpType& type)
         const scalar off = mag(mesh_.C()[celli] - middle);
         if
         (
-            sphere/width(celli) >= wanted
+            need.diameter/width(celli) >= wanted
          && (
                 distance[celli] > 1.001*farthest
              || (distance[celli] > 0.999*farthest && off < nearest)
@@ -185,7 +203,7 @@ void Foam::caseTemplate::choosePosition(const clumpType& type)
         }
     }
     position_ = mesh_.C()[best];
-    resolution_ = sphere/width(best);
+    resolution_ = need.diameter/width(best);
 }
 
 
@@ -265,9 +283,11 @@ void Foam::caseTemplate::adviseTimeStep(const clumpType& type) const
     {
         return;
     }
-    const scalar limit = 0.25*min(type.radii())/fastest;
+    const resolution need(needed(type));
+    const scalar limit = 0.125*need.diameter/fastest;
     Info<< "At the largest velocity of time " << mesh_.time().timeName() << ", "
-        << rounded(fastest).c_str() << " m/s, a quarter of a sphere's radius takes "
+        << rounded(fastest).c_str() << " m/s, an eighth of the diameter "
+        << rounded(need.diameter).c_str() << " m takes "
         << rounded(limit).c_str() << " s; deltaT is "
         << rounded(mesh_.time().deltaTValue()).c_str() << " s";
     if (mesh_.time().deltaTValue() > limit)
@@ -341,9 +361,13 @@ void Foam::caseTemplate::write(const bool overwrite) const
         Info<< "constant/transportProperties has no rho: clumpProperties has "
             << rho << " kg/m3" << nl;
     }
-    Info<< unitHint(2*type.reach()).c_str() << nl
-        << rounded(resolution_).c_str() << " mesh cells per sphere diameter"
-        << (resolution_ < goodResolution ? "; 4 give the drag within a few per cent" : "")
-        << nl << "Wrote " << file.c_str() << ": " << name_ << " at "
+    const resolution need(needed(type));
+    Info<< unitHint(2*type.reach()).c_str() << nl << need.of << " has "
+        << rounded(resolution_).c_str() << " mesh cells per diameter";
+    if (resolution_ < need.wanted)
+    {
+        Info<< "; " << need.wanted << ' ' << need.good << " within a few per cent";
+    }
+    Info<< nl << "Wrote " << file.c_str() << ": " << name_ << " at "
         << rounded(position_).c_str() << nl << "End" << nl << endl;
 }

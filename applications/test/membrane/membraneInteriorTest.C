@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
-#include "testInterior.H"
+#include "testImmersion.H"
 #include "foamCompat.H"
 #include "mathematicalConstants.H"
 #include "variableViscosity.H"

@@ -4,55 +4,25 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
-#include "testCase.H"
-#include "surfaceImmersion.H"
+#include "testImmersion.H"
 
 using namespace Foam;
 
 namespace
 {
 
-//- A sphere in the test box, on the master, with its images on all processors
+//- One of 162 nodes
 struct immersed
+:
+    testImmersion
 {
-    PtrList<clumpType> types;
-    dictionary dicts;
-    ghostExchange ghosts;
-    autoPtr<surfaceImmersion> immersion;
-
     immersed(const point& centre, const word& kernel, const scalar radius = 4e-6)
     :
-        types(1),
-        ghosts(testMesh())
-    {
-        dictionary& dict = dicts.subDictOrAdd("test");
-        dict = dictOf
+        testImmersion
         (
-            "density 1000; membrane {} kernel " + kernel + "; shape"
-            " { type icosphere; subdivisions 2; radius " + Foam::name(radius) + "; }"
-        );
-        types.set(0, new clumpType("test", dict));
-        immersion.reset(new surfaceImmersion(testMesh(), types, dicts));
-
-        // Not in a regular place of the mesh
-        UList<clumpImage>& own = ghosts.own(Pstream::master() ? 1 : 0);
-        for (clumpImage& image : own)
-        {
-            image.owner = Pstream::myProcNo();
-            image.index = 0;
-            image.original = true;
-            image.typeId = 0;
-            image.x = types[0].centres() + centre + vector(0.13e-6, 0.27e-6, 0.41e-6);
-            image.u = vectorField(image.x.size(), Zero);
-            image.omega = image.u;
-            image.force = image.u;
-            image.box = boundBox(image.x, false);
-            image.reach = 1.1*radius;
-            image.clearForces();
-        }
-        ghosts.update();
-        immersion->update(ghosts);
-    }
+            List<point>(1, centre), string("kernel " + kernel + ";"), radius, 2
+        )
+    {}
 
     //- The image of the sphere itself, on the master
     clumpImage& own() { return ghosts.images()[0]; }

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
-#include "testInterior.H"
+#include "testImmersion.H"
 #include "variableViscosity.H"
 
 using namespace Foam;

@@ -9,7 +9,9 @@ KNOWN = {"skalak, Ca 0.6, 10 cells, step 0.05, 642 nodes, threePoint": (None, 0.
          "10 cells, step 0.05, 642 nodes, threePoint, viscosity ratio 5": (0.20367, None),
          "16 cells, step 0.05, 642 nodes, threePoint, viscosity ratio 5": (0.19081, None),
          "neoHookean, Ca 0.0375, 10 cells, step 0.05, 642 nodes, threePoint, viscosity ratio 5":
-         (0.0766, None)}
+         (0.0766, None),
+         "neoHookean, Ca 0.0375, 16 cells, step 0.05, 642 nodes, threePoint, viscosity ratio 5":
+         (0.07529, None)}
 
 LAWS = {"neoHookean": "NH", "skalak": "SK"}
 

@@ -27,9 +27,13 @@ Foam::variableViscosity::variableViscosity
 Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
 {
     const fvMesh& mesh = U_.mesh();
+
+    // By name: a temporary tensor field would be transposed in place, see
+    // membraneInterior::stressIn
+    const volTensorField gradU("gradU", fvc::grad(U_));
     const surfaceVectorField transposed
     (
-        mesh.Sf() & linearInterpolate(T(fvc::grad(U_)))
+        mesh.Sf() & linearInterpolate(T(gradU))
     );
     return fvc::div
     (

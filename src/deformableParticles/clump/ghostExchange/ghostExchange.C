@@ -8,7 +8,7 @@
 #include "foamCompat.H"
 #include "processorCyclicPolyPatch.H"
 #include "IPstream.H"
-#include "OPstream.H"
+#include "sentMessages.H"
 #include "HashTable.H"
 
 namespace
@@ -354,6 +354,7 @@ void Foam::ghostExchange::updateNeighbours()
 
 void Foam::ghostExchange::exchange()
 {
+    sentMessages messages(neighbours_.size());
     sent_.setSize(neighbours_.size());
     DynamicList<clumpImage> ghosts;
     forAll(neighbours_, n)
@@ -364,7 +365,10 @@ void Foam::ghostExchange::exchange()
             appendImages(i, neighbours_[n], ghosts);
         }
 
-        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        UOPstream os
+        (
+            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
+        );
         os << label(ghosts.size());
         sent_[n].setSize(ghosts.size());
         forAll(ghosts, i)
@@ -381,7 +385,7 @@ void Foam::ghostExchange::exchange()
 
     for (const label proci : neighbours_)
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
+        IPstream is(UPstream::commsTypes::blocking, proci);
         const label n = readLabel(is);
         for (label i = 0; i < n; ++i)
         {
@@ -394,9 +398,13 @@ void Foam::ghostExchange::exchange()
 
 void Foam::ghostExchange::updateVelocities()
 {
+    sentMessages messages(neighbours_.size());
     forAll(neighbours_, n)
     {
-        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        UOPstream os
+        (
+            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
+        );
         for (const label i : sent_[n])
         {
             os  << images_[i].u << images_[i].omega << images_[i].contraction
@@ -418,7 +426,7 @@ void Foam::ghostExchange::updateVelocities()
     // The images of a processor stand in the order in which it sent them
     for (const label proci : neighbours_)
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
+        IPstream is(UPstream::commsTypes::blocking, proci);
         for (clumpImage& image : images_)
         {
             if (image.owner == proci)
@@ -433,9 +441,13 @@ void Foam::ghostExchange::updateVelocities()
 template<class Type>
 void Foam::ghostExchange::copyToImages(Type clumpImage::* value)
 {
+    sentMessages messages(neighbours_.size());
     forAll(neighbours_, n)
     {
-        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        UOPstream os
+        (
+            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
+        );
         for (const label i : sent_[n])
         {
             os << images_[i].*value;
@@ -450,7 +462,7 @@ void Foam::ghostExchange::copyToImages(Type clumpImage::* value)
     }
     for (const label proci : neighbours_)
     {
-        IPstream is(Pstream::commsTypes::blocking, proci);
+        IPstream is(UPstream::commsTypes::blocking, proci);
         for (clumpImage& image : images_)
         {
             if (image.owner == proci)
@@ -466,13 +478,17 @@ template<class Sums>
 void Foam::ghostExchange::returnSums(Sums clumpImage::* sums)
 {
     const label me = Pstream::myProcNo();
+    sentMessages messages(neighbours_.size());
 
-    for (const label proci : neighbours_)
+    forAll(neighbours_, n)
     {
-        OPstream os(Pstream::commsTypes::blocking, proci);
+        UOPstream os
+        (
+            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
+        );
         for (const clumpImage& image : images_)
         {
-            if (image.owner == proci)
+            if (image.owner == neighbours_[n])
             {
                 os << image.*sums;
             }
@@ -490,7 +506,7 @@ void Foam::ghostExchange::returnSums(Sums clumpImage::* sums)
     // A processor returns the images in the order in which they were sent to it
     forAll(neighbours_, n)
     {
-        IPstream is(Pstream::commsTypes::blocking, neighbours_[n]);
+        IPstream is(UPstream::commsTypes::blocking, neighbours_[n]);
         for (const label i : sent_[n])
         {
             Sums received;

@@ -28,6 +28,7 @@ void Foam::remoteClumps::find
             slots_[b] = images[b].index;
         }
     }
+    sentMessages messages(neighbours_.size());
     forAll(neighbours_, n)
     {
         Map<label> known;
@@ -46,12 +47,15 @@ void Foam::remoteClumps::find
             }
         }
         nAsked_[n] = asked.size();
-        OPstream os(Pstream::commsTypes::blocking, neighbours_[n]);
+        UOPstream os
+        (
+            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
+        );
         os << labelList(asked);
     }
     forAll(neighbours_, n)
     {
-        IPstream is(Pstream::commsTypes::blocking, neighbours_[n]);
+        IPstream is(UPstream::commsTypes::blocking, neighbours_[n]);
         is >> wanted_[n];
     }
 }

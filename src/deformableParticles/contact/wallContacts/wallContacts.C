@@ -24,6 +24,7 @@ Foam::wallContacts::wallContacts
     neighbourhood_(-1),
     gap_(GREAT),
     radius_(0),
+    sight_(GREAT),
     nearness_(0),
     clearance_(0)
 {}
@@ -121,6 +122,7 @@ bool Foam::wallContacts::gapMeasured
 void Foam::wallContacts::measureGap(const Cloud<clumpParcel>& clumps)
 {
     gap_ = GREAT;
+    sight_ = GREAT;
     radius_ = 0;
     for (const clumpParcel& p : clumps)
     {
@@ -133,18 +135,21 @@ void Foam::wallContacts::measureGap(const Cloud<clumpParcel>& clumps)
         forAll(centres, i)
         {
             const scalar r = type.radii()[i];
-            gap_ = min(gap_, walls_->distance(centres[i], 20*r) - r);
+            const scalar limit = min(20*r, walls_->known());
+            gap_ = min(gap_, walls_->distance(centres[i], limit) - r);
+            sight_ = min(sight_, limit - r);
             radius_ = max(radius_, r);
         }
     }
     reduce(gap_, minOp<scalar>());
+    reduce(sight_, minOp<scalar>());
     reduce(radius_, maxOp<scalar>());
 }
 
 
 Foam::string Foam::wallContacts::gap() const
 {
-    if (gap_ > 18*radius_)
+    if (gap_ >= sight_)
     {
         return "no wall is near";
     }

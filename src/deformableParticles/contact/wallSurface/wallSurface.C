@@ -18,7 +18,8 @@ Foam::wallSurface::wallSurface
     const ghostExchange& ghosts
 )
 :
-    centred_(true)
+    centred_(true),
+    known_(0)
 {
     // Patches that are not those of processors have the same index everywhere
     DynamicList<face> walls;
@@ -42,7 +43,8 @@ Foam::wallSurface::wallSurface
     const ghostExchange& ghosts
 )
 :
-    centred_(true)
+    centred_(true),
+    known_(0)
 {
     collect(faces, points, labelList(faces.size(), Zero), ghosts);
 }
@@ -56,6 +58,8 @@ void Foam::wallSurface::collect
     const ghostExchange& ghosts
 )
 {
+    known_ = 3*ghosts.reach();
+
     // Triangles as three points each
     DynamicList<point> corners;
     DynamicList<label> patchOf;
@@ -70,7 +74,7 @@ void Foam::wallSurface::collect
     const auto around = [&](const label proci, DynamicList<label>& ofPatch)
     {
         DynamicList<point> found;
-        const scalar width = 20*ghosts.reach();
+        const scalar width = known_ + ghosts.reach();
         const boundBox box(grown(ghosts.box(proci), width));
         forAll(ghosts.shifts(), s)
         {
@@ -121,7 +125,8 @@ void Foam::wallSurface::collect
 
 Foam::wallSurface::wallSurface(const UList<point>& corners)
 :
-    centred_(false)
+    centred_(false),
+    known_(GREAT)
 {
     makeSearch(corners, labelList(corners.size()/3, Zero));
 }

@@ -9,7 +9,7 @@
 #include "foamCompat.H"
 #include "nearestCentres.H"
 #include "IPstream.H"
-#include "OPstream.H"
+#include "sentMessages.H"
 
 namespace
 {
@@ -60,14 +60,16 @@ void nearImages
     };
 
     const UList<ghostExchange::partner>& partners = ghosts.partners(reach);
-    for (const ghostExchange::partner& to : partners)
+    sentMessages messages(partners.size());
+    forAll(partners, n)
     {
+        const ghostExchange::partner& to = partners[n];
         if (to.proci != Pstream::myProcNo())
         {
             DynamicList<point> sent;
             DynamicList<vector> ofSent;
             imagesOf(to, sent, ofSent);
-            OPstream os(Pstream::commsTypes::blocking, to.proci);
+            UOPstream os(UPstream::commsTypes::nonBlocking, to.proci, messages[n]);
             os << pointField(sent) << vectorField(ofSent);
         }
     }
@@ -80,7 +82,7 @@ void nearImages
         }
         else
         {
-            IPstream is(Pstream::commsTypes::blocking, of.proci);
+            IPstream is(UPstream::commsTypes::blocking, of.proci);
             images.append(pointField(is));
             ofImages.append(vectorField(is));
         }

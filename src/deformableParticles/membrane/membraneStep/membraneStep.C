@@ -315,7 +315,8 @@ bool Foam::membraneStep::minimise
     scalar p = 0;
     scalar change = GREAT;
 
-    for (label n = 0; n < most && change > tolerance; ++n)
+    scalar allowed = tolerance;
+    for (label n = 0; n < most && change > allowed; ++n)
     {
         const vectorField ofVolume(surface().areaVectors(y));
         vectorField gradient(y.size());
@@ -354,12 +355,13 @@ bool Foam::membraneStep::minimise
             penalty, y
         );
         change = max(mag(dy))/type.halfWidth();
+        allowed = max(allowed, 1e-3*change);
         if (part == 0)
         {
             break;
         }
     }
-    return change <= tolerance;
+    return change <= allowed;
 }
 
 

@@ -28,17 +28,29 @@ const scalar growOverlap = 0.05;
 //- Steps without growth after which the clumps do not fit
 const label patience = 2000;
 
+//- Steps for a tenth of the distance that is wanted between membranes
+const label patienceApart = 100;
+
+}
+
 
 //- Lines of progress, and the end of a run that received a signal
-class progress
+class Foam::clumpPacking::progress
 {
     clockTime clock_;
     scalar said_ = 0;
 
 public:
 
-    //- After a step: one line in two seconds
-    void say(const label step, const scalar size, const scalar deepest, const label since)
+    //- After a step, the membranes so far apart [m]: one line in two seconds
+    void say
+    (
+        const label step,
+        const scalar size,
+        const scalar apart,
+        const scalar deepest,
+        const label since
+    )
     {
         const label signal = returnReduce(endSignal::received(), maxOp<label>());
         if (signal)
@@ -50,9 +62,16 @@ public:
         if (clock_.elapsedTime() > said_ + 2)
         {
             said_ = clock_.elapsedTime();
-            Info<< "    step " << step << ": " << 0.1*round(1000*size)
-                << " % of the size, deepest overlap " << 0.01*round(100*deepest)
-                << " radii";
+            Info<< "    step " << step << ": ";
+            if (apart > 0)
+            {
+                Info<< "membranes " << apart << " m apart";
+            }
+            else
+            {
+                Info<< 0.1*round(1000*size) << " % of the size";
+            }
+            Info<< ", deepest overlap " << 0.01*round(100*deepest) << " radii";
             if (since > 200)
             {
                 Info<< ", no growth in " << since << " steps (the end: "
@@ -62,8 +81,6 @@ public:
         }
     }
 };
-
-}
 
 
 Foam::clumpPacking::clumpPacking
@@ -80,6 +97,7 @@ Foam::clumpPacking::clumpPacking
     clumps_(clumps),
     nClumps_(returnReduce(clumps.size(), sumOp<label>())),
     gap_(gap),
+    apart_(0),
     turns_(turns),
     bodies_(types.size()),
     scale_(1),
@@ -151,7 +169,7 @@ void Foam::clumpPacking::setImages()
         {
             image.x[i] = centre + scale_*(R & b.x[i]);
             const scalar r =
-                0.5*gap_
+                0.5*(gap_ + apart_)
               + (
                     b.surface.valid()
                   ? clearance*scale_*b.size : (1 + clearance)*scale_*b.r[i]
@@ -249,7 +267,8 @@ void Foam::clumpPacking::addToSurface
     const body& P = bodies_[points.typeId];
     const body& M = bodies_[membrane.typeId];
     const scalar size = scale_*min(P.size, M.size);
-    const scalar gap = gap_ + clearance*scale_*(P.size + M.size);
+    const scalar least = gap_ + apart_;
+    const scalar gap = least + clearance*scale_*(P.size + M.size);
 
     // In the frame of the membrane at rest, those that are near
     const tensor R(membrane.omega[0], membrane.omega[1], membrane.omega[2]);
@@ -286,7 +305,7 @@ void Foam::clumpPacking::addToSurface
         {
             const vector n((ofPoints ? 1 : -1)*(R & p.outwards));
             sum.deepest =
-                max(sum.deepest, (r + gap_ - scale_*p.distance)/size);
+                max(sum.deepest, (r + least - scale_*p.distance)/size);
             sum.add
             (
                 n, points.x[near[k]] - mine.u[0],
@@ -310,7 +329,7 @@ void Foam::clumpPacking::addSurface()
         bool near = false;
         region_.forEachSurface
         (
-            centre, 1.05*scale_*reach + gap_,
+            centre, 1.05*scale_*reach + gap_ + apart_,
             [&](const scalar, const vector&) { near = true; }
         );
         if (!near)
@@ -322,8 +341,9 @@ void Foam::clumpPacking::addSurface()
             const bool membrane = bodyA.surface.valid();
             const scalar r = scale_*bodyA.r[i];
             const scalar size = membrane ? scale_*bodyA.size : r;
+            const scalar least = gap_ + (membrane ? apart_ : scalar(0));
             const scalar target =
-                (membrane ? clearance*size : (1 + clearance)*r) + gap_;
+                (membrane ? clearance*size : (1 + clearance)*r) + least;
             region_.forEachSurface
             (
                 A.x[i], 2*(membrane ? size + target : target),
@@ -333,7 +353,7 @@ void Foam::clumpPacking::addSurface()
                     {
                         contacts_[a].deepest = max
                         (
-                            contacts_[a].deepest, (r + gap_ - height)/size
+                            contacts_[a].deepest, (r + least - height)/size
                         );
                         contacts_[a].add
                         (
@@ -428,6 +448,74 @@ void Foam::clumpPacking::moveAll()
 }
 
 
+Foam::scalar Foam::clumpPacking::contactRange() const
+{
+    scalar width = GREAT;
+    for (const clumpParcel& p : clumps_)
+    {
+        if (types_[p.typeId()].hasSurface())
+        {
+            width = min(width, Foam::cbrt(region_.mesh().cellVolumes()[p.cell()]));
+        }
+    }
+    reduce(width, minOp<scalar>());
+    return width < GREAT ? 0.5*width : 0;
+}
+
+
+bool Foam::clumpPacking::settle
+(
+    const scalar maxOverlap,
+    const label most,
+    progress& told
+)
+{
+    for (label n = 0; n < most; ++n)
+    {
+        const scalar deepest = findContacts();
+        if (deepest <= maxOverlap)
+        {
+            return true;
+        }
+        moveAll();
+        told.say(nSteps_, 1, apart_, deepest, n);
+    }
+    return false;
+}
+
+
+Foam::scalar Foam::clumpPacking::setApart
+(
+    const scalar maxOverlap,
+    progress& told
+)
+{
+    const scalar wanted = contactRange();
+    if (wanted > gap_)
+    {
+        // In tenths
+        const auto settleAt = [&](const label n, const label most)
+        {
+            apart_ = 0.1*n*(wanted - gap_);
+            return settle(maxOverlap, most, told);
+        };
+        label n = 0;
+        while (n < 10 && settleAt(n + 1, patienceApart))
+        {
+            ++n;
+        }
+        while (!settleAt(n, patience) && n > 0)
+        {
+            --n;
+        }
+        Info<< "Membranes are " << gap_ + apart_ << " m apart; their contact begins at "
+            << wanted << " m" << endl;
+    }
+    apart_ = 0;
+    return findContacts();
+}
+
+
 Foam::scalar Foam::clumpPacking::pack
 (
     const scalar maxOverlap,
@@ -448,7 +536,7 @@ Foam::scalar Foam::clumpPacking::pack
     while (nSteps_ < 300 && (deepest = findContacts()) > growOverlap)
     {
         moveAll();
-        told.say(nSteps_, scale_, deepest, 0);
+        told.say(nSteps_, scale_, 0, deepest, 0);
     }
 
     setBodies(false);
@@ -467,7 +555,11 @@ Foam::scalar Foam::clumpPacking::pack
         {
             moveAll();
         }
-        told.say(nSteps_, scale_, deepest, sinceGrowth);
+        told.say(nSteps_, scale_, 0, deepest, sinceGrowth);
+    }
+    if (reached == 1)
+    {
+        deepest = setApart(maxOverlap, told);
     }
     finish();
     return reached;

@@ -212,6 +212,10 @@ void Foam::jointMinimiser::takeStep()
     {
         const bool far =
             sums_[slope] > 0 || sums_[ofPotentials] > sums0[ofPotentials];
+        if (!far && part == high)
+        {
+            break;  // downhill as far as the step may go
+        }
         (far ? high : low) = part;
         part = 0.5*(low + high);
         tryPart(part);

@@ -61,18 +61,10 @@ void Foam::cloudMembranes::beginContacts
     const vector& meshVelocity
 )
 {
-    scalar width = GREAT;
-    for (const clumpParcel& p : clumps)
-    {
-        if (isOne(p))
-        {
-            width = min(width, Foam::cbrt(mesh_.V()[p.cell()]));
-        }
-    }
     contacts_.begin
     (
         ghosts,
-        returnReduce(width, minOp<scalar>()),
+        membraneContacts::narrowest(clumps, types_),
         mesh_.time().deltaTValue(),
         meshVelocity
     );

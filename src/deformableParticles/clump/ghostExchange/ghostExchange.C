@@ -365,10 +365,7 @@ void Foam::ghostExchange::exchange()
             appendImages(i, neighbours_[n], ghosts);
         }
 
-        UOPstream os
-        (
-            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
-        );
+        sentMessages::stream os(messages, n, neighbours_[n]);
         os << label(ghosts.size());
         sent_[n].setSize(ghosts.size());
         forAll(ghosts, i)
@@ -401,10 +398,7 @@ void Foam::ghostExchange::updateVelocities()
     sentMessages messages(neighbours_.size());
     forAll(neighbours_, n)
     {
-        UOPstream os
-        (
-            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
-        );
+        sentMessages::stream os(messages, n, neighbours_[n]);
         for (const label i : sent_[n])
         {
             os  << images_[i].u << images_[i].omega << images_[i].contraction
@@ -444,10 +438,7 @@ void Foam::ghostExchange::copyToImages(Type clumpImage::* value)
     sentMessages messages(neighbours_.size());
     forAll(neighbours_, n)
     {
-        UOPstream os
-        (
-            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
-        );
+        sentMessages::stream os(messages, n, neighbours_[n]);
         for (const label i : sent_[n])
         {
             os << images_[i].*value;
@@ -482,10 +473,7 @@ void Foam::ghostExchange::returnSums(Sums clumpImage::* sums)
 
     forAll(neighbours_, n)
     {
-        UOPstream os
-        (
-            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
-        );
+        sentMessages::stream os(messages, n, neighbours_[n]);
         for (const clumpImage& image : images_)
         {
             if (image.owner == neighbours_[n])

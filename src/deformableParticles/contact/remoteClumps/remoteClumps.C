@@ -47,10 +47,7 @@ void Foam::remoteClumps::find
             }
         }
         nAsked_[n] = asked.size();
-        UOPstream os
-        (
-            UPstream::commsTypes::nonBlocking, neighbours_[n], messages[n]
-        );
+        sentMessages::stream os(messages, n, neighbours_[n]);
         os << labelList(asked);
     }
     forAll(neighbours_, n)

@@ -69,7 +69,7 @@ void nearImages
             DynamicList<point> sent;
             DynamicList<vector> ofSent;
             imagesOf(to, sent, ofSent);
-            UOPstream os(UPstream::commsTypes::nonBlocking, to.proci, messages[n]);
+            sentMessages::stream os(messages, n, to.proci);
             os << pointField(sent) << vectorField(ofSent);
         }
     }

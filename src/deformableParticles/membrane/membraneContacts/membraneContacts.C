@@ -92,12 +92,31 @@ Foam::membraneContacts::membraneContacts
 )
 :
     types_(types),
-    cells_(getBetweenOrDefault(entriesOf(dict), "range", 0.5, 0.05, 2)),
+    cells_(getBetweenOrDefault(entriesOf(dict), "range", scalar(defaultRange), 0.05, 2)),
     stress_(givenStress(entriesOf(dict))),
     range_(0),
     dt_(0),
     meshVelocity_(Zero)
 {}
+
+
+Foam::scalar Foam::membraneContacts::narrowest
+(
+    const Cloud<clumpParcel>& clumps,
+    const PtrList<clumpType>& types
+)
+{
+    const scalarField& V = clumps.pMesh().cellVolumes();
+    scalar width = GREAT;
+    for (const clumpParcel& p : clumps)
+    {
+        if (types[p.typeId()].hasSurface())
+        {
+            width = min(width, Foam::cbrt(V[p.cell()]));
+        }
+    }
+    return returnReduce(width, minOp<scalar>());
+}
 
 
 void Foam::membraneContacts::refuseSmallSpheres(const dictionary& types) const

@@ -8,6 +8,7 @@
 #include "clockTime.H"
 #include "endSignal.H"
 #include "foamCompat.H"
+#include "membraneContacts.H"
 #include "sphereGrid.H"
 #include "mathematicalConstants.H"
 
@@ -448,21 +449,6 @@ void Foam::clumpPacking::moveAll()
 }
 
 
-Foam::scalar Foam::clumpPacking::contactRange() const
-{
-    scalar width = GREAT;
-    for (const clumpParcel& p : clumps_)
-    {
-        if (types_[p.typeId()].hasSurface())
-        {
-            width = min(width, Foam::cbrt(region_.mesh().cellVolumes()[p.cell()]));
-        }
-    }
-    reduce(width, minOp<scalar>());
-    return width < GREAT ? 0.5*width : 0;
-}
-
-
 bool Foam::clumpPacking::settle
 (
     const scalar maxOverlap,
@@ -486,31 +472,28 @@ bool Foam::clumpPacking::settle
 
 Foam::scalar Foam::clumpPacking::setApart
 (
+    const scalar wanted,
     const scalar maxOverlap,
     progress& told
 )
 {
-    const scalar wanted = contactRange();
-    if (wanted > gap_)
+    // In tenths
+    const auto settleAt = [&](const label n, const label most)
     {
-        // In tenths
-        const auto settleAt = [&](const label n, const label most)
-        {
-            apart_ = 0.1*n*(wanted - gap_);
-            return settle(maxOverlap, most, told);
-        };
-        label n = 0;
-        while (n < 10 && settleAt(n + 1, patienceApart))
-        {
-            ++n;
-        }
-        while (!settleAt(n, patience) && n > 0)
-        {
-            --n;
-        }
-        Info<< "Membranes are " << gap_ + apart_ << " m apart; their contact begins at "
-            << wanted << " m" << endl;
+        apart_ = 0.1*n*(wanted - gap_);
+        return settle(maxOverlap, most, told);
+    };
+    label n = 0;
+    while (n < 10 && settleAt(n + 1, patienceApart))
+    {
+        ++n;
     }
+    while (!settleAt(n, patience) && n > 0)
+    {
+        --n;
+    }
+    Info<< "Membranes are " << gap_ + apart_ << " m apart; their contact begins at "
+        << wanted << " m" << endl;
     apart_ = 0;
     return findContacts();
 }
@@ -557,9 +540,12 @@ Foam::scalar Foam::clumpPacking::pack
         }
         told.say(nSteps_, scale_, 0, deepest, sinceGrowth);
     }
-    if (reached == 1)
+
+    const scalar width = membraneContacts::narrowest(clumps_, types_);
+    const scalar range = membraneContacts::defaultRange*width;
+    if (reached == 1 && width < GREAT && range > gap_)
     {
-        deepest = setApart(maxOverlap, told);
+        deepest = setApart(range, maxOverlap, told);
     }
     finish();
     return reached;

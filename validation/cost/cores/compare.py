@@ -9,6 +9,10 @@ for row in rows:
     times.setdefault(row["what"], {})[row["ranks"]] = row["step_s"]
 cells = {(row["what"], row["ranks"]): row["cells"] for row in rows}
 
+perCell = {what: times[what][1]/cells[what, 1] for what in ("strong", "weak")}
+results.report(f"one of {cells['strong', 1]:g} red cells over one of {cells['weak', 1]:g}, 1 rank",
+               perCell["strong"]/perCell["weak"], "-",
+               f"{1e3*perCell['strong']:.2f} and {1e3*perCell['weak']:.2f} ms per step")
 for ranks, seconds in times["strong"].items():
     results.report(f"{cells['strong', 1]:g} red cells, {ranks:g} ranks: speed-up",
                    times["strong"][1]/seconds, "-", f"a step takes {1e3*seconds:.0f} ms")

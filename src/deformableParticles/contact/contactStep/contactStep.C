@@ -48,6 +48,7 @@ void Foam::contactStep::addMember(const label a)
     forces_.append(vectorField(type(a).size(), Zero));
     torques_.append(vectorField(type(a).size(), Zero));
     energies_.append(0);
+    nRenewed_.append(0);
 }
 
 

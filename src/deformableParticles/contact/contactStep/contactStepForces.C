@@ -16,6 +16,13 @@ vector of(const Eigen::VectorXd& v, const label i)
     return vector(v[i], v[i + 1], v[i + 2]);
 }
 
+
+//- Of sphere i of a clump, which does not move where there are none
+vector of(const vectorField& moves, const label i)
+{
+    return moves.empty() ? vector(Zero) : moves[i];
+}
+
 }
 
 
@@ -32,9 +39,11 @@ void Foam::contactStep::begin(const scalar dt)
             smoothing_ = m.guessed ? smoothing_ : 1000;
         }
         reduce(smoothing_, maxOp<scalar>());
+        renew_ = true;
         evaluate();
         setPressed();
     }
+    renew_ = true;
 }
 
 
@@ -65,6 +74,8 @@ void Foam::contactStep::beginMoving(const scalar dt)
 
 void Foam::contactStep::move(const bool all)
 {
+    const List<vectorField> moved(moved_);
+    const List<vectorField> turned(rubs_ ? turned_ : List<vectorField>());
     for (label a = 0; a < clumps_.size(); ++a)
     {
         const clumpParcel& p = clumps_[a];
@@ -87,6 +98,13 @@ void Foam::contactStep::move(const bool all)
     if (rubs_)
     {
         remote_.exchange(turned_);
+    }
+    forAll(moved_, slot)
+    {
+        hasMoved_[slot] =
+            hasMoved_[slot]
+         || moved_[slot] != moved[slot]
+         || (rubs_ && turned_[slot] != turned[slot]);
     }
 }
 
@@ -181,12 +199,24 @@ void Foam::contactStep::evaluate()
     forAll(members_, m)
     {
         const label a = clumpOf_[m];
+        bool changed = renew_;
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
-            evaluate(touches_[k]);
+            touch& t = touches_[k];
+            if (renew_ || hasMoved_[a] || (t.b >= 0 && hasMoved_[t.slot]))
+            {
+                evaluate(t);
+                changed = true;
+            }
         }
-        sumForces(m);
+        if (changed)
+        {
+            sumForces(m);
+            ++nRenewed_[m];
+        }
     }
+    hasMoved_ = false;
+    renew_ = false;
 }
 
 
@@ -210,17 +240,16 @@ Foam::List<Foam::vectorField> Foam::contactStep::ofSlots
 )
 {
     List<vectorField> moves(moved_.size());
-    for (label a = 0; a < clumps_.size(); ++a)
-    {
-        moves[a].setSize(type(a).size());
-        moves[a] = Zero;
-    }
     forAll(members_, m)
     {
-        vectorField& move = moves[clumpOf_[m]];
-        forAll(move, i)
+        if ((p[m].array() != 0).any())
         {
-            move[i] = of(p[m], 6*i + offset);
+            vectorField& move = moves[clumpOf_[m]];
+            move.setSize(p[m].size()/6);
+            forAll(move, i)
+            {
+                move[i] = of(p[m], 6*i + offset);
+            }
         }
     }
     remote_.exchange(moves);
@@ -238,12 +267,16 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
             const touch& t = touches_[k];
-            if (t.b < 0 || (t.w.force == 0 && t.w.stiffness == 0))
+            if
+            (
+                t.b < 0 || (t.w.force == 0 && t.w.stiffness == 0)
+             || (moves[a].empty() && moves[t.slot].empty())
+            )
             {
                 continue;
             }
-            const vector other(moves[t.slot][t.j]);
-            const vector relative(moves[a][t.i] - other);
+            const vector other(of(moves[t.slot], t.j));
+            const vector relative(of(moves[a], t.i) - other);
             const scalar turning = t.w.force/max(t.radii - t.d, SMALL*t.R);
             const vector Cp
             (
@@ -272,12 +305,11 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
             const touch& t = touches_[k];
-            const vector dx
-            (
-                t.b < 0
-              ? moves[a][t.i]
-              : vector(moves[a][t.i] - moves[t.slot][t.j])
-            );
+            vector dx(of(moves[a], t.i));
+            if (t.b >= 0)
+            {
+                dx -= of(moves[t.slot], t.j);
+            }
             const scalar distance = t.radii - t.d;
             const scalar nearer =
                 t.b < 0

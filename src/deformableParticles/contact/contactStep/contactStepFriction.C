@@ -87,10 +87,6 @@ void Foam::contactStep::setPressed(touch& t) const
 
 void Foam::contactStep::setPressed()
 {
-    if (!rubs_)
-    {
-        return;
-    }
     for (const label a : clumpOf_)
     {
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
@@ -175,18 +171,15 @@ void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
             const touch& t = touches_[k];
-            if (t.b < 0 || t.pressed <= 0)
+            if (t.b < 0 || t.pressed <= 0 || moves[t.slot].empty())
             {
                 continue;
             }
             const vector& n = t.slipNormal;
-            const vector dx(moves[t.slot][t.j]);
-            const vector ofOther
-            (
-                t.otherArm*(n ^ turns[t.slot][t.j]) - dx
-            );
+            const vector& turn = turns[t.slot][t.j];
+            const vector ofOther(t.otherArm*(n ^ turn) - moves[t.slot][t.j]);
             const vector f(t.sliding.tangent & ofOther);
-            const vector moment(t.rolling.tangent & turns[t.slot][t.j]);
+            const vector moment(t.rolling.tangent & turn);
             Ap[m].segment<3>(6*t.i) += column(f);
             Ap[m].segment<3>(6*t.i + 3) += column(t.arm*(f ^ n) - moment);
         }

@@ -15,6 +15,7 @@ void Foam::contactStep::clearMembers()
     forces_.clear();
     torques_.clear();
     energies_.clear();
+    nRenewed_.clear();
     isMember_ = Zero;
     hasNewMembers_ = false;
 }
@@ -216,6 +217,7 @@ void Foam::contactStep::setSlots()
     }
     remote_.exchange(moved_);
     turned_ = moved_;
+    hasMoved_ = boolList(moved_.size(), true);
 }
 
 

@@ -165,9 +165,14 @@ bool Foam::contactStep::redistribute()
     bool changed = rubs_ && smoothing_ > 1;
     smoothing_ = max(0.1*smoothing_, scalar(1));
     distribute(false);
+    renew_ = true;
     evaluate();
-    setPressed();
-    evaluate();
+    if (rubs_)
+    {
+        setPressed();
+        renew_ = true;
+        evaluate();
+    }
     forAll(forces_, m)
     {
         changed =
@@ -180,6 +185,7 @@ bool Foam::contactStep::redistribute()
     }
     touches_ = touches;
     begins_ = begins;
+    renew_ = true;
     evaluate();
     return false;
 }

@@ -32,8 +32,13 @@ Foam::jointMinimiser::jointMinimiser
     potentials_(group.members().size()),
     tangents_(2*potentials_.size()),
     used_(potentials_.size(), Zero),
-    own_(scalar(0)),
+    here_(scalar(0)),
     sums_(scalar(0)),
+    values_(potentials_.size(), Zero),
+    hasMoved_(potentials_.size(), true),
+    nRenewed_(potentials_.size(), -1),
+    isOld_(potentials_.size(), true),
+    ownSizes_(potentials_.size(), Zero),
     contacts_(tangents_.size()),
     sinceThen_(potentials_.size()),
     moved_(potentials_.size(), GREAT),
@@ -61,7 +66,7 @@ Foam::jointMinimiser::jointMinimiser
         (
             Eigen::VectorXd::Zero(6*member.start->x.size())
         );
-        for (motions* list : {&g_, &d_, &r_, &z_, &p_, &Kp_, &Ap_})
+        for (motions* list : {&g_, &own_, &d_, &r_, &z_, &p_, &Kp_, &Ap_})
         {
             list->push_back(none);
         }
@@ -75,15 +80,21 @@ void Foam::jointMinimiser::evaluate()
 
     for (const label i : {ofPotentials, ofMagnitudes, ofGradients, slope})
     {
-        own_[i] = 0;
+        here_[i] = 0;
     }
     forAll(potentials_, m)
     {
-        const scalar W = potentials_[m].value(state(m), &g_[m]);
-        own_[ofPotentials] += W;
-        own_[ofMagnitudes] += mag(W);
-        own_[ofGradients] += sqr(newtonMinimiser::size(type(m), g_[m]));
-        own_[slope] += g_[m].dot(d_[m]);
+        if (hasMoved_[m] || nRenewed_[m] != group_.nRenewed(m))
+        {
+            values_[m] = potentials_[m].value(state(m), &g_[m]);
+            hasMoved_[m] = false;
+            nRenewed_[m] = group_.nRenewed(m);
+            isOld_[m] = true;
+        }
+        here_[ofPotentials] += values_[m];
+        here_[ofMagnitudes] += mag(values_[m]);
+        here_[ofGradients] += sqr(newtonMinimiser::size(type(m), g_[m]));
+        here_[slope] += g_[m].dot(d_[m]);
     }
 }
 
@@ -119,24 +130,32 @@ void Foam::jointMinimiser::updateTangent(const label m)
 
 void Foam::jointMinimiser::prepare()
 {
-    own_[ownPart] = 0;
-    own_[atStart] = 0;
+    here_[ownPart] = 0;
+    here_[atStart] = 0;
     forAll(potentials_, m)
     {
-        updateTangent(m);
         r_[m] = -g_[m];
-        z_[m] = r_[m];
-        tangent(m).solve(z_[m]);
-        own_[atStart] += r_[m].dot(z_[m]);
-        own_[ownPart] =
-            max(own_[ownPart], newtonMinimiser::largest(type(m), z_[m]));
+        if (isOld_[m])
+        {
+            updateTangent(m);
+            own_[m] = r_[m];
+            tangent(m).solve(own_[m]);
+            ownSizes_[m] = newtonMinimiser::largest(type(m), own_[m]);
+            isOld_[m] = false;
+        }
+        z_[m] = own_[m];
+        here_[ownPart] = max(here_[ownPart], ownSizes_[m]);
+        if (!rests(ownSizes_[m]))
+        {
+            here_[atStart] += r_[m].dot(z_[m]);
+        }
     }
 }
 
 
 void Foam::jointMinimiser::exchange()
 {
-    sums_ = own_;
+    sums_ = here_;
     reduceWhole(sums_, sumsAndMaxima());
     lastStep_ = sums_[displaced];
 }
@@ -165,21 +184,25 @@ void Foam::jointMinimiser::takeStep()
     const auto tryPart = [&](const scalar part)
     {
         used_ = usedBefore;
-        own_[displaced] = 0;
+        here_[displaced] = 0;
         forAll(before, m)
         {
-            const scalar moved = newtonMinimiser::moveBy
-            (
-                type(m), before[m], d_[m], part, state(m)
-            );
-            moved_[m] = movedBefore[m] + moved;
-            own_[displaced] = max(own_[displaced], moved);
+            if ((d_[m].array() != 0).any())
+            {
+                const scalar moved = newtonMinimiser::moveBy
+                (
+                    type(m), before[m], d_[m], part, state(m)
+                );
+                moved_[m] = movedBefore[m] + moved;
+                here_[displaced] = max(here_[displaced], moved);
+                hasMoved_[m] = true;
+            }
         }
         begin();
     };
     const auto tryAll = [&]()
     {
-        tryPart(own_[untried] > 0 ? 0 : 1);
+        tryPart(here_[untried] > 0 ? 0 : 1);
     };
 
     const bool checked = findStep(true);
@@ -193,6 +216,7 @@ void Foam::jointMinimiser::takeStep()
         }
         used_ = usedBefore;
         moved_ = movedBefore;
+        hasMoved_ = true;
         evaluate();
         prepare();
         findStep(false);
@@ -256,8 +280,8 @@ void Foam::jointMinimiser::predict(const motions& steps)
 
     // Where all have a guess it is the start; no processor knows that yet
     evaluate();
-    own_[untried] = moves;
-    own_[passable] = -group_.passable(steps);
+    here_[untried] = moves;
+    here_[passable] = -group_.passable(steps);
     if (!moves)
     {
         prepare();
@@ -284,6 +308,7 @@ void Foam::jointMinimiser::predict(const motions& steps)
             }
         }
         moved_ = GREAT;
+        hasMoved_ = true;
         begin();
     };
     start(-sums_[passable]);

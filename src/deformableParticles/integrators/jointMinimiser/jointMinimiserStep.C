@@ -5,6 +5,7 @@
 
 #include "jointMinimiser.H"
 #include "foamCompat.H"
+#include "newtonMinimiser.H"
 #include "PstreamReduceOps.H"
 #include <Eigen/Eigenvalues>
 
@@ -32,6 +33,10 @@ void Foam::jointMinimiser::multiply
     group_.couple(p, Ap);
     forAll(sinceThen_, m)
     {
+        if ((p[m].array() == 0).all())
+        {
+            continue;
+        }
         forAll(sinceThen_[m], i)
         {
             const auto move = p[m].segment<3>(6*i);
@@ -127,10 +132,12 @@ bool Foam::jointMinimiser::chebyshev(const scalar least)
     const label number = label(std::acosh(1/remains)/std::acosh(ratio)) + 1;
 
     scalar rho = 1/ratio;
+    boolList moves(potentials_.size());
     forAll(potentials_, m)
     {
-        p_[m] = z_[m]/middle;
-        Kp_[m] = r_[m]/middle;
+        moves[m] = !rests(ownSizes_[m]);
+        p_[m] = moves[m]/middle*z_[m];
+        Kp_[m] = moves[m]/middle*r_[m];
     }
     bool usable = true;
     for (label n = 0; n < number; ++n)
@@ -140,10 +147,19 @@ bool Foam::jointMinimiser::chebyshev(const scalar least)
         scalar size = 0;
         forAll(potentials_, m)
         {
+            if (!moves[m] && (Ap_[m].array() == 0).all())
+            {
+                continue;
+            }
             d_[m] += p_[m];
             r_[m] -= Ap_[m];
             z_[m] = r_[m];
             tangent(m).solve(z_[m]);
+            if (!moves[m] && rests(newtonMinimiser::largest(type(m), z_[m])))
+            {
+                continue;
+            }
+            moves[m] = true;
             size += r_[m].dot(z_[m]);
             p_[m] = rho*next*p_[m] + 2*next/half*z_[m];
             Kp_[m] = rho*next*Kp_[m] + 2*next/half*r_[m];
@@ -175,26 +191,29 @@ bool Foam::jointMinimiser::findStep(const bool mayChebyshev)
     }
     const scalar least = 0.8*group_.leastEigenvalue;
     const bool byChebyshev = mayChebyshev && least > 0;
-    own_[atEnd] = 0;
+    here_[atEnd] = 0;
     if (!byChebyshev)
     {
         conjugateGradients();
     }
     else if (!chebyshev(least))
     {
-        own_[atEnd] = GREAT;
+        here_[atEnd] = GREAT;
     }
 
-    own_[slopeBefore] = 0;
+    here_[slopeBefore] = 0;
     forAll(potentials_, m)
     {
-        own_[atEnd] += r_[m].dot(z_[m]);
-        own_[slopeBefore] += g_[m].dot(d_[m]);
+        if (!rests(ownSizes_[m]))
+        {
+            here_[atEnd] += r_[m].dot(z_[m]);
+        }
+        here_[slopeBefore] += g_[m].dot(d_[m]);
     }
-    own_[passable] = -group_.passable(d_);
+    here_[passable] = -group_.passable(d_);
 
     // One that is of no use to any processor, or too long for one
-    own_[untried] =
-        own_[passable] > -1 || (byChebyshev && own_[atEnd] > enough*sums_[atStart]);
+    here_[untried] =
+        here_[passable] > -1 || (byChebyshev && here_[atEnd] > enough*sums_[atStart]);
     return byChebyshev;
 }

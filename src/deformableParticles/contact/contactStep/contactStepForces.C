@@ -199,18 +199,12 @@ void Foam::contactStep::evaluate()
     forAll(members_, m)
     {
         const label a = clumpOf_[m];
-        bool changed = renew_;
-        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        if (renew_ || near(a, hasMoved_))
         {
-            touch& t = touches_[k];
-            if (renew_ || hasMoved_[a] || (t.b >= 0 && hasMoved_[t.slot]))
+            for (label k = begins_[a]; k < begins_[a + 1]; ++k)
             {
-                evaluate(t);
-                changed = true;
+                evaluate(touches_[k]);
             }
-        }
-        if (changed)
-        {
             sumForces(m);
             ++nRenewed_[m];
         }
@@ -257,21 +251,41 @@ Foam::List<Foam::vectorField> Foam::contactStep::ofSlots
 }
 
 
+Foam::boolList Foam::contactStep::moving(const UList<vectorField>& moves)
+{
+    boolList result(moves.size());
+    forAll(result, slot)
+    {
+        result[slot] = !moves[slot].empty();
+    }
+    return result;
+}
+
+
+bool Foam::contactStep::near(const label a, const UList<bool>& slots) const
+{
+    bool result = slots[a];
+    for (const label slot : partners_[a])
+    {
+        result = result || slots[slot];
+    }
+    return result;
+}
+
+
 void Foam::contactStep::couple(const motions& p, motions& Ap)
 {
     const List<vectorField> moves(ofSlots(p));
+    const boolList some(moving(moves));
 
     forAll(members_, m)
     {
         const label a = clumpOf_[m];
-        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        const label end = near(a, some) ? begins_[a + 1] : begins_[a];
+        for (label k = begins_[a]; k < end; ++k)
         {
             const touch& t = touches_[k];
-            if
-            (
-                t.b < 0 || (t.w.force == 0 && t.w.stiffness == 0)
-             || (moves[a].empty() && moves[t.slot].empty())
-            )
+            if (t.b < 0 || (t.w.force == 0 && t.w.stiffness == 0))
             {
                 continue;
             }
@@ -296,13 +310,15 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
 Foam::scalar Foam::contactStep::passable(const motions& step)
 {
     const List<vectorField> moves(ofSlots(step));
+    const boolList some(moving(moves));
 
     // Up to half of a gap and a quarter of a radius nearer
     scalar part = 1;
     forAll(members_, m)
     {
         const label a = clumpOf_[m];
-        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        const label end = near(a, some) ? begins_[a + 1] : begins_[a];
+        for (label k = begins_[a]; k < end; ++k)
         {
             const touch& t = touches_[k];
             vector dx(of(moves[a], t.i));

@@ -203,9 +203,19 @@ void Foam::contactStep::setSlots()
     }
 
     remote_.find(ghosts_, clumps_.size(), used);
+    List<labelHashSet> partners(clumps_.size());
     for (touch& t : touches_)
     {
         t.slot = t.b < 0 ? -1 : remote_.slot(t.b);
+        if (t.b >= 0)
+        {
+            partners[t.a].insert(t.slot);
+        }
+    }
+    partners_.setSize(partners.size());
+    forAll(partners_, a)
+    {
+        partners_[a] = partners[a].sortedToc();
     }
 
     isMember_ = labelList(remote_.nSlots(), Zero);

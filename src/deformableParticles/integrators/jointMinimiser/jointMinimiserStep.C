@@ -33,11 +33,8 @@ void Foam::jointMinimiser::multiply
     group_.couple(p, Ap);
     forAll(sinceThen_, m)
     {
-        if ((p[m].array() == 0).all())
-        {
-            continue;
-        }
-        forAll(sinceThen_[m], i)
+        const label n = (p[m].array() == 0).all() ? 0 : sinceThen_[m].size();
+        for (label i = 0; i < n; ++i)
         {
             const auto move = p[m].segment<3>(6*i);
             const vector force

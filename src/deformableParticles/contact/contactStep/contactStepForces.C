@@ -196,6 +196,12 @@ void Foam::contactStep::sumForces(const label m)
 void Foam::contactStep::evaluate()
 {
     move(false);
+    renewForces();
+}
+
+
+void Foam::contactStep::renewForces()
+{
     forAll(members_, m)
     {
         const label a = clumpOf_[m];

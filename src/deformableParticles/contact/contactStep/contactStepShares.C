@@ -157,21 +157,20 @@ bool Foam::contactStep::redistribute()
     // Change of the forces relative to their sum over the clump
     const scalar tolerance = 0.01;
 
-    evaluate();
-    const DynamicList<touch> touches(touches_);
-    const labelList begins(begins_);
+    formerTouches_ = touches_;
+    formerBegins_ = begins_;
     const List<vectorField> forces(forces_);
 
     bool changed = rubs_ && smoothing_ > 1;
     smoothing_ = max(0.1*smoothing_, scalar(1));
     distribute(false);
     renew_ = true;
-    evaluate();
+    renewForces();
     if (rubs_)
     {
         setPressed();
         renew_ = true;
-        evaluate();
+        renewForces();
     }
     forAll(forces_, m)
     {
@@ -179,13 +178,14 @@ bool Foam::contactStep::redistribute()
             changed
          || sum(mag(forces_[m] - forces[m])) > tolerance*sum(mag(forces[m]));
     }
-    if (returnReduce(changed, orOp<bool>()))
-    {
-        return true;
-    }
-    touches_ = touches;
-    begins_ = begins;
+    return changed;
+}
+
+
+void Foam::contactStep::restore()
+{
+    touches_.transfer(formerTouches_);
+    begins_ = formerBegins_;
     renew_ = true;
-    evaluate();
-    return false;
+    renewForces();
 }

@@ -104,8 +104,13 @@ Foam::label Foam::integrators::implicitEuler::advance
     jointMinimiser newton(group, dt, tolerance_, maxIterations_);
     newton.predict(steps);
     bool converged = newton.minimise();
-    for (label n = 0; n < 10 && group.redistribute(); ++n)
+    for (label n = 0; n < 10; ++n)
     {
+        if (!newton.resume(group.redistribute()))
+        {
+            group.restore();
+            break;
+        }
         converged = newton.minimise();
     }
     if (!converged && newton.lastStep() > harmless && Pstream::master())

@@ -319,6 +319,16 @@ void Foam::jointMinimiser::predict(const motions& steps)
 }
 
 
+bool Foam::jointMinimiser::resume(const bool changed)
+{
+    here_[redistributed] = changed;
+    begin();
+    here_[redistributed] = 0;
+    ready_ = true;
+    return sums_[redistributed] > 0;
+}
+
+
 bool Foam::jointMinimiser::minimise()
 {
     if (!ready_)

@@ -152,6 +152,7 @@ Foam::label Foam::integrators::velocityVerlet::advance
     // What acts between the clumps is constant over every part of the step
     for (scalar left = dt; left > 0; )
     {
+        group.evaluate();
         group.redistribute();
         group.beginMoving(left);
         group.evaluate();

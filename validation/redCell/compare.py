@@ -1,4 +1,5 @@
-"""A red cell that is stretched, let go, tank-treads and tumbles, against measurements.
+"""A red cell that is stretched, let go, tank-treads, tumbles and passes a tube, against
+measurements.
 
 The recovery of length over width r from r_m to r_inf is that of Hochmuth et al. with one relaxation
 time t_c, r(t) = r_inf (L + exp(-t/t_c))/(L - exp(-t/t_c)), L = (r_m + r_inf)/(r_m - r_inf)."""
@@ -102,6 +103,16 @@ if not QUICK:
         else:
             results.report(name, turns, "-", "in the second half; between the rates of donors")
         results.report(f"{turned} membrane", abs(r["membrane_deg"])/360, "-", "the same")
+
+    ends = {r["run"]: r for r in read("tube.csv")}
+    for run, r in ends.items():
+        name = f"in a tube of 10 um, {run}"
+        results.add(f"speed over mean velocity {name}", r["speed"], "-", 1.4, 0.2,
+                    "1.3 to 1.5 for red blood cells in such tubes")
+        for column, what in (("off_axis_um", "distance from the axis"), ("Lx_um", "length"),
+                             ("hollow_um", "hollow at the rear")):
+            results.report(f"{what} {name}", r[column], "um", f"after {r['time_s']:g} s")
+        results.add(f"volume {name}", r["volume"], "-", 1, 1e-6, "volume at rest")
 
 
 fischer = {m["mean_shear_rate"]: (m["mean_f_over_g"], m["sd"])

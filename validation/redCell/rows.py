@@ -2,12 +2,12 @@
 time, of one in shear one."""
 import re
 import sys
-from math import atan2, cos, degrees, pi, sin
+from math import atan2, cos, degrees, hypot, pi, sin
 
 from clumpTables import table
 
 kind = sys.argv[1]
-case = "sheared" if kind in ("sheared", "turned") else "stretch"
+case = {"sheared": "sheared", "turned": "sheared", "tube": "tube"}.get(kind, "stretch")
 rows = table(case, "clumpShape")
 start = rows[0]
 
@@ -31,7 +31,26 @@ def lastHalfTurn(times, angles):
     return float("nan"), len(angles)//2
 
 
-if kind == "stretch":
+def hollow(path):
+    """Depth of the hollow at the rear: from the rearmost node to the rear of the cell within 1 um
+    of the line through its centre along the tube."""
+    from clumpSpheres import membranes
+    x = membranes(path)["x"]
+    centre = x.mean(axis=0)
+    middle = [p[0] for p in x if hypot(p[1] - centre[1], p[2] - centre[2]) < 1e-6]
+    return min(middle) - min(p[0] for p in x)
+
+
+if kind == "tube":
+    from clumpSpheres import frames
+    name, distance, seconds = sys.argv[2:]
+    speeds = table(case, "clumpForce")
+    for time, path in frames(case)[1:]:
+        r, f = (min(t, key=lambda row: abs(row["time"] - time)) for t in (rows, speeds))
+        print(f"{name},{distance},{time:g},{f['Ux']/0.8e-3:.4f},{1e6*hypot(f['y'], f['z']):.3f},"
+              f"{1e6*r['Lx']:.3f},{1e6*r['Ly']:.3f},{1e6*r['Lz']:.3f},{1e6*hollow(path):.3f},"
+              f"{r['volume']/start['volume']:.8f},{r['area']/start['area']:.5f},{seconds}")
+elif kind == "stretch":
     law, subdivisions, hold = sys.argv[2].split(";")[0].split()[1], sys.argv[3], float(sys.argv[4])
     for n, force in enumerate(sys.argv[5:]):
         held = [r for r in rows if n*hold + 1e-9 < r["time"] <= (n + 1)*hold + 1e-9]

@@ -30,3 +30,31 @@ TEST_CASE("joint minimiser: few iterations, however many clumps touch", "[contac
     INFO(scalar(solves)/all << " solutions per clump in one step");
     CHECK(solves <= 9*all);
 }
+
+
+TEST_CASE("joint minimiser: a pair that takes long costs the others nothing", "[contact]")
+{
+    const scalar r = 0.5e-6;
+    string light;
+    for (label k = 0; k < 25; ++k)
+    {
+        const point p(2e-6 + 3.5e-6*(k % 5), 2e-6 + 3.5e-6*(k/5), 4e-6);
+        light += at("sphere", p, Zero) + at("sphere", p + vector(1.999*r, 0, 0), Zero);
+    }
+    const point p(10e-6, 10e-6, 12e-6);
+    const vector u(4e-3, 0, 0);
+    const string hard
+    (
+        at("sphere", p, u) + at("sphere", p + vector(1.2*r, 0, 0), -u)
+    );
+
+    const auto solves = [](const string& clumps)
+    {
+        dryCloud t(1e-4, clumps, "reducedModulus 1000; restitution 0.5;");
+        t.step();
+        return returnReduce(t.cloud->motion().nSolves(), sumOp<label>());
+    };
+    const label ofLight = solves(light), ofHard = solves(hard), together = solves(light + hard);
+    INFO(ofLight << " and " << ofHard << " solutions alone, " << together << " together");
+    CHECK(together <= ofLight + ofHard + 4);
+}

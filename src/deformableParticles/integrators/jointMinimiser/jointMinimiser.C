@@ -223,6 +223,11 @@ void Foam::jointMinimiser::takeStep()
         tryAll();
     }
 
+    for (const Eigen::VectorXd& d : d_)
+    {
+        nSolves_ += (d.array() != 0).any();
+    }
+
     // A contact that begins is not in the tangent: where the step goes too far, the
     // minimum along it lies in the contact
     scalar low = 0;
@@ -339,8 +344,6 @@ bool Foam::jointMinimiser::minimise()
 
     for (label n = 0; n < maxIterations_; ++n)
     {
-        nSolves_ += potentials_.size();
-
         // After a longer step there is always another one
         const bool near = n == 0 || lastStep_ < 1000*tolerance_;
         if (near && sums_[ownPart] <= tolerance_)

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """A capsule in Stokes flow (u = y, 0, 0) over time, by boundary integrals without a mesh.
 
 The membrane is a map x(s) of the unit sphere, which is its state without strain, in spherical
@@ -276,7 +276,9 @@ def solve(apply, b, v, tolerance=1e-7):
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    options = argparse.ArgumentParser(
+        description=__doc__, add_help=False, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("-h", "-help", "--help", action="help", help="prints this text")
     options.add_argument("law", choices=("NH", "SK"), help="neo-Hookean, or Skalak with C = 1")
     options.add_argument("ratio", type=float, help="inner over outer viscosity")
     options.add_argument("Ca", type=float, help="capillary number")

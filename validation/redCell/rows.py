@@ -4,6 +4,7 @@ import re
 import sys
 from math import atan2, cos, degrees, hypot, pi, sin
 
+from clumpSpheres import frames, membranes
 from clumpTables import table
 
 kind = sys.argv[1]
@@ -34,7 +35,6 @@ def lastHalfTurn(times, angles):
 def hollow(path):
     """Depth of the hollow at the rear: from the rearmost node to the rear of the cell within 1 um
     of the line through its centre along the tube."""
-    from clumpSpheres import membranes
     x = membranes(path)["x"]
     centre = x.mean(axis=0)
     middle = [p[0] for p in x if hypot(p[1] - centre[1], p[2] - centre[2]) < 1e-6]
@@ -42,7 +42,6 @@ def hollow(path):
 
 
 if kind == "tube":
-    from clumpSpheres import frames
     name, distance, seconds = sys.argv[2:]
     speeds = table(case, "clumpForce")
     for time, path in frames(case)[1:]:

@@ -242,7 +242,7 @@ Foam::List<Foam::vectorField> Foam::contactStep::ofSlots
     List<vectorField> moves(moved_.size());
     forAll(members_, m)
     {
-        if ((p[m].array() != 0).any())
+        if (!p[m].isZero(0))
         {
             vectorField& move = moves[clumpOf_[m]];
             move.setSize(p[m].size()/6);

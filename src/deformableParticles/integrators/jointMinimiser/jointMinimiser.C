@@ -187,7 +187,7 @@ void Foam::jointMinimiser::takeStep()
         here_[displaced] = 0;
         forAll(before, m)
         {
-            if ((d_[m].array() != 0).any())
+            if (!d_[m].isZero(0))
             {
                 const scalar moved = newtonMinimiser::moveBy
                 (
@@ -225,7 +225,7 @@ void Foam::jointMinimiser::takeStep()
 
     for (const Eigen::VectorXd& d : d_)
     {
-        nSolves_ += (d.array() != 0).any();
+        nSolves_ += !d.isZero(0);
     }
 
     // A contact that begins is not in the tangent: where the step goes too far, the

@@ -33,7 +33,7 @@ void Foam::jointMinimiser::multiply
     group_.couple(p, Ap);
     forAll(sinceThen_, m)
     {
-        const label n = (p[m].array() == 0).all() ? 0 : sinceThen_[m].size();
+        const label n = p[m].isZero(0) ? 0 : sinceThen_[m].size();
         for (label i = 0; i < n; ++i)
         {
             const auto move = p[m].segment<3>(6*i);
@@ -144,7 +144,7 @@ bool Foam::jointMinimiser::chebyshev(const scalar least)
         scalar size = 0;
         forAll(potentials_, m)
         {
-            if (!moves[m] && (Ap_[m].array() == 0).all())
+            if (!moves[m] && Ap_[m].isZero(0))
             {
                 continue;
             }

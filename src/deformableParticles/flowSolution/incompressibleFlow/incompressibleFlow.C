@@ -19,23 +19,28 @@
 #include "solverSettings.H"
 #include "unsolvedPhysics.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Entries of the dictionary PISO or PIMPLE
+const wordList controlEntries
+({
+    "consistent", "momentumPredictor", "nOuterCorrectors", "carryPressure",
+    "wallMobility", "couplingTolerance", "andersonDepth", "nCorrectors",
+    "nNonOrthogonalCorrectors", "pRefCell", "pRefPoint", "pRefValue", "solveFlow",
+    "SIMPLErho", "transonic", "frozenFlow", "ddtCorr", "turbOnFinalIterOnly",
+    "finalOnLastPimpleIterOnly", "residualControl", "outerCorrectorResidualControl",
+    "correctPhi", "checkMeshCourantNo", "moveMeshOuterCorrectors"
+});
+
+}
+
+
 void Foam::incompressibleFlow::check(const dictionary& dict)
 {
-    const dictionary entries(withoutRemoved(dict, {"scaleCorrection"}));
-    checkEntries
-    (
-        entries,
-        {
-            "consistent", "momentumPredictor", "nOuterCorrectors",
-            "carryPressure", "wallMobility", "couplingTolerance", "andersonDepth",
-            "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
-            "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
-            "frozenFlow", "ddtCorr", "turbOnFinalIterOnly",
-            "finalOnLastPimpleIterOnly", "residualControl",
-            "outerCorrectorResidualControl", "correctPhi",
-            "checkMeshCourantNo", "moveMeshOuterCorrectors"
-        }
-    );
+    checkEntries(withoutRemoved(dict, {"scaleCorrection"}), controlEntries);
     unsolvedPhysics::refuseSwitches(dict);
     for (const word key : {"nOuterCorrectors", "nCorrectors"})
     {
@@ -225,10 +230,17 @@ Foam::incompressibleFlow::incompressibleFlow
         mesh.solutionDict(),
         {"PISO", "PIMPLE", "SIMPLE", "solvers", "relaxationFactors", "accuracyLevel"}
     );
-    check
-    (
-        mesh.solutionDict().subOrEmptyDict(outerCorrectors::dictionaryName(mesh))
-    );
+    const word control(outerCorrectors::dictionaryName(mesh));
+    for (const word& name : controlEntries)
+    {
+        if (mesh.solutionDict().found(name))
+        {
+            FatalIOErrorInFunction(mesh.solutionDict())
+                << "Entry '" << name << "' is read in the dictionary " << control
+                << " only. Move it there." << exit(FatalIOError);
+        }
+    }
+    check(mesh.solutionDict().subOrEmptyDict(control));
     control_.reset(new outerCorrectors(mesh, iterates));
 
     readFields(mesh);

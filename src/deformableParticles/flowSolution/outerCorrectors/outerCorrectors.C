@@ -8,6 +8,18 @@
 #include "Switch.H"
 #include "volFields.H"
 
+namespace
+{
+
+//- Criteria of OpenFOAM for the end of the outer correctors, without the clumps
+const Foam::wordList residualControls
+({
+    "residualControl", "outerCorrectorResidualControl"
+});
+
+}
+
+
 constexpr Foam::label Foam::outerCorrectors::usualNumber;
 constexpr Foam::scalar Foam::outerCorrectors::usualTolerance;
 
@@ -46,8 +58,10 @@ Foam::outerCorrectors::outerCorrectors(fvMesh& mesh, const bool iterates)
     finalPressure_(solverGiven(mesh, "pFinal")),
     finalVelocity_(solverGiven(mesh, "UFinal"))
 {
+    residualControl_.clear();
     read();
     report();
+    warnOfUnused();
 }
 
 
@@ -64,6 +78,30 @@ void Foam::outerCorrectors::report() const
             << ", because flow and clumps are iterated until"
             << " they agree. For exactly " << n
             << " of them give couplingTolerance 0" << nl << endl;
+    }
+}
+
+
+void Foam::outerCorrectors::warnOfUnused() const
+{
+    const dictionary given(pimpleControl::dict());
+    for (const word& name : residualControls)
+    {
+        if (iterates_ && given.found(name))
+        {
+            IOWarningInFunction(given)
+                << "Entry '" << name << "' is not used: the outer correctors end at"
+                << " couplingTolerance." << endl;
+        }
+    }
+    const bool relaxed =
+        (mesh_.relaxEquation("U") && mesh_.equationRelaxationFactor("U") != 1)
+     || (mesh_.relaxField("p") && mesh_.fieldRelaxationFactor("p") != 1);
+    if (relaxed)
+    {
+        IOWarningInFunction(mesh_.solutionDict().subDict("relaxationFactors"))
+            << "The relaxation factors of U and p are not used: the steps of an unsteady"
+            << " flow are solved without under-relaxation." << endl;
     }
 }
 
@@ -91,6 +129,10 @@ const Foam::dictionary Foam::outerCorrectors::dict() const
     }
     if (iterates_)
     {
+        for (const word& name : residualControls)
+        {
+            result.remove(name);
+        }
         const label n = result.get<label>("nOuterCorrectors");
         const bool exact = result.get<scalar>("couplingTolerance") == 0;
         const bool iterated = exact && n > 1 && startsFromRest();

@@ -35,7 +35,7 @@ bool Foam::functionObjects::apparentViscosity::read(const dictionary& dict)
 {
     const bool good = suspensionTable::read(dict);
     section_ = crossSection(dict, axes(), mesh_);
-    const word drive(dict.get<word>("drive"));
+    const word drive(getEntry<word>(dict, "drive"));
     shear_ = drive == "shear";
     if ((!shear_ && drive != "pressure") || (shear_ && section_.tube()))
     {

@@ -51,6 +51,26 @@ Foam::functionObjects::cellFreeLayer::header() const
 }
 
 
+template<class Action>
+void Foam::functionObjects::cellFreeLayer::forEachStation
+(
+    const scalar from,
+    const scalar to,
+    const Action& visit
+) const
+{
+    const scalar spacing = section_.length()/nStations_;
+    const scalar start = -0.5*section_.length();
+    const label last = std::floor((to - start)/spacing - 0.5);
+    for (label k = std::ceil((from - start)/spacing - 0.5); k <= last; ++k)
+    {
+        // A clump that leaves the mesh at one end enters it at the other one
+        const label station = ((k % nStations_) + nStations_) % nStations_;
+        visit(station, start + (k + 0.5)*spacing);
+    }
+}
+
+
 void Foam::functionObjects::cellFreeLayer::addSphere
 (
     const vector& centre,
@@ -59,26 +79,48 @@ void Foam::functionObjects::cellFreeLayer::addSphere
     UList<scalar>& edges
 ) const
 {
-    const scalar spacing = section_.length()/nStations_;
-    const scalar x = centre.z() + 0.5*section_.length();
-    const label last = std::floor((x + radius)/spacing - 0.5);
-    for
+    forEachStation
     (
-        label k = std::ceil((x - radius)/spacing - 0.5);
-        k <= last;
-        ++k
-    )
-    {
-        const scalar half2 = sqr(radius) - sqr((k + 0.5)*spacing - x);
-        const scalar half = Foam::sqrt(max(half2, scalar(0)));
-
-        // A clump that leaves the mesh at one end enters it at the other one
-        const label station = ((k % nStations_) + nStations_) % nStations_;
-        forAll(directions, d)
+        centre.z() - radius, centre.z() + radius,
+        [&](const label station, const scalar z)
         {
-            scalar& edge = edges[d*nStations_ + station];
-            edge = max(edge, (directions[d] & centre) + half);
+            const scalar half2 = sqr(radius) - sqr(z - centre.z());
+            const scalar half = Foam::sqrt(max(half2, scalar(0)));
+            forAll(directions, d)
+            {
+                scalar& edge = edges[d*nStations_ + station];
+                edge = max(edge, (directions[d] & centre) + half);
+            }
         }
+    );
+}
+
+
+void Foam::functionObjects::cellFreeLayer::addMembrane
+(
+    const closedSurface& surface,
+    const pointField& x,
+    const UList<vector>& directions,
+    UList<scalar>& edges
+) const
+{
+    for (const closedSurface::hinge& h : surface.hinges())
+    {
+        const point& a = x[h.i].z() < x[h.j].z() ? x[h.i] : x[h.j];
+        const vector along((x[h.i].z() < x[h.j].z() ? x[h.j] : x[h.i]) - a);
+        forEachStation
+        (
+            a.z(), a.z() + along.z(),
+            [&](const label station, const scalar z)
+            {
+                const point y(a + (z - a.z())/max(along.z(), VSMALL)*along);
+                forAll(directions, d)
+                {
+                    scalar& edge = edges[d*nStations_ + station];
+                    edge = max(edge, directions[d] & y);
+                }
+            }
+        );
     }
 }
 
@@ -89,11 +131,20 @@ bool Foam::functionObjects::cellFreeLayer::write()
     scalarList edges(directions.size()*nStations_, Zero);
     for (const clumpParcel& p : cloud())
     {
-        const scalarField& r = cloud().type(p).radii();
-        const pointField x(p.centres());
+        const clumpType& type = cloud().type(p);
+        pointField x(p.centres());
+        for (point& c : x)
+        {
+            c = section_.local(c);
+        }
+        if (type.hasSurface())
+        {
+            addMembrane(type.surface(), x, directions, edges);
+            continue;
+        }
         forAll(x, i)
         {
-            addSphere(section_.local(x[i]), r[i], directions, edges);
+            addSphere(x[i], type.radii()[i], directions, edges);
         }
     }
     Pstream::listCombineGather(edges, maxEqOp<scalar>());

@@ -51,7 +51,7 @@ Foam::functionObjects::clumpProfiles::header() const
             " the axis of a tube or the lower wall of a slit")
        .explain("H", "volume of the clumps in the bin over that of the bin")
        .explain("U Uc", "mean velocity along the flow of fluid and clumps, and of the"
-            " spheres in the bin; nan where there are none");
+            " clumps in the bin; nan where there are none");
     for (const clumpType& type : cloud().types())
     {
         result.add("H_" + type.name());
@@ -80,14 +80,18 @@ void Foam::functionObjects::clumpProfiles::addClump
 ) const
 {
     const clumpType& type = cloud().type(p);
-    const scalarField& r = type.radii();
-    const scalar weight = type.nominalVolume()/type.volume();
-
     pointField x(p.centres());
     for (point& c : x)
     {
         c = section_.local(c);
     }
+    if (type.hasSurface())
+    {
+        addMembrane(p, x, volumes, flows);
+        return;
+    }
+    const scalarField& r = type.radii();
+    const scalar weight = type.nominalVolume()/type.volume();
     sphereUnion::forEachChord
     (
         x, r, 0.1*min(r),
@@ -98,6 +102,45 @@ void Foam::functionObjects::clumpProfiles::addClump
             flows[k] += weight*V*(p.state().u[i] & axes().flow);
         }
     );
+}
+
+
+void Foam::functionObjects::clumpProfiles::addMembrane
+(
+    const clumpParcel& p,
+    const pointField& x,
+    UList<scalar>& volumes,
+    UList<scalar>& flows
+) const
+{
+    const clumpType& type = cloud().type(p);
+    const closedSurface& surface = type.surface();
+    const scalar weight = type.nominalVolume()/type.volume();
+    const vector& e = axes().flow;
+    const point centre(surface.centroid(x));
+    const scalar uCentre = p.state().velocity(type) & e;
+    const vectorField& u = p.state().u;
+
+    constexpr label nLayers = 10;
+    for (const triFace& t : surface.triangles())
+    {
+        const vector middle(t.centre(x) - centre);
+        const scalar uMiddle = ((u[t[0]] + u[t[1]] + u[t[2]])/3) & e;
+        const scalar V = weight*(t.areaNormal(x) & middle)/3;
+        for (label k = 0; k < nLayers; ++k)
+        {
+            // Part of the distance from the centre: between two layers, and their middle
+            const scalar s0 = scalar(k)/nLayers;
+            const scalar s1 = scalar(k + 1)/nLayers;
+            const scalar share = pow3(s1) - pow3(s0);
+            const scalar s = 0.75*(pow4(s1) - pow4(s0))/share;
+
+            const vector y(centre + s*middle);
+            const label i = bin(y.x(), y.y());
+            volumes[i] += V*share;
+            flows[i] += V*share*((1 - s)*uCentre + s*uMiddle);
+        }
+    }
 }
 
 

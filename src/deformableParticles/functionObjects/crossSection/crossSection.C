@@ -19,7 +19,7 @@ Foam::functionObjects::crossSection::crossSection
     tube_(false),
     axes_(axes)
 {
-    const word section(dict.get<word>("section"));
+    const word section(getEntry<word>(dict, "section"));
     tube_ = section == "tube";
     if (!tube_ && section != "slit")
     {

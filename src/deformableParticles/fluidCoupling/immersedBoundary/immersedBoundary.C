@@ -310,7 +310,7 @@ void Foam::immersedBoundary::setCloseness(const UList<clumpImage>& images)
     for (const clumpImage& image : images)
     {
         const scalarField& radii = types_[image.typeId].radii();
-        const scalar r = min(radii);
+        const scalar r = types_[image.typeId].halfWidth();
 
         for (const label celli : geometry_.find(grown(image.box, r), 0))
         {

@@ -69,3 +69,23 @@ Foam::List<Foam::surfaceDistance::place> Foam::surfaceDistance::nearest
     }
     return result;
 }
+
+
+Foam::boolList Foam::surfaceDistance::inside
+(
+    const pointField& points,
+    const UList<place>& places
+) const
+{
+    boolList result(points.size());
+    forAll(points, i)
+    {
+        const place& p = places[i];
+        result[i] =
+            p.found
+          ? p.distance < 0
+          : search_.tree().bb().contains(points[i])
+         && search_.tree().getVolumeType(points[i]) == volumeType::INSIDE;
+    }
+    return result;
+}

@@ -204,6 +204,7 @@ void Foam::membraneInterior::add(const clumpImage& image, scalarField& covered)
     const boundBox nodes(image.x, false);
     DynamicList<label> cells;
     DynamicList<point> centres;
+    scalar farthest = 0;
 
     // A mesh cell reaches at least half its width from its centre
     for (const label celli : geometry_.find(nodes, 2*kernel.support()))
@@ -214,6 +215,7 @@ void Foam::membraneInterior::add(const clumpImage& image, scalarField& covered)
         {
             cells.append(celli);
             centres.append(x);
+            farthest = max(farthest, cmptMax(reach));
         }
     }
     if (cells.empty())
@@ -221,16 +223,17 @@ void Foam::membraneInterior::add(const clumpImage& image, scalarField& covered)
         return;
     }
     const pointField x(centres);
-    const auto places = surfaceDistance(type.surface(), image.x).nearest
-    (
-        x, nodes.mag() + boundBox(x, false).mag()
-    );
+    const surfaceDistance surface(type.surface(), image.x);
+    const auto places = surface.nearest(x, farthest);
+    const boolList within(surface.inside(x, places));
     forAll(cells, k)
     {
         const auto& p = places[k];
         const label celli = cells[k];
-        const scalar width = mag(cmptMultiply(widths_[celli], p.outwards));
-        const scalar inside = kernel.beyond(p.distance/width);
+        const scalar inside =
+            p.found
+          ? kernel.beyond(p.distance/mag(cmptMultiply(widths_[celli], p.outwards)))
+          : within[k];
         covered[celli] += inside;
         factor_[celli] += slow*inside;
     }

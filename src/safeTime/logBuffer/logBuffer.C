@@ -37,7 +37,8 @@ void Foam::logBuffer::filter(const char c)
     line_ += c;
     if (c == '\n')
     {
-        const bool begins = line_.compare(0, 3, "-->") == 0;
+        const bool begins =
+            line_.compare(0, 3, "-->") == 0 || line_.compare(0, 7, "Effect ") == 0;
         warning_ = begins || (warning_ && line_.compare(0, 4, "    ") == 0);
 
         // All lines of an error, which ends the run

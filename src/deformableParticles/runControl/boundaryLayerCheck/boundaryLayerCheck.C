@@ -29,8 +29,13 @@ Foam::scalar Foam::boundaryLayerCheck::ReynoldsNumber(const scalar f)
 }
 
 
-void Foam::boundaryLayerCheck::add(const volScalarField& nu)
+void Foam::boundaryLayerCheck::add
+(
+    const volVectorField& U,
+    const volScalarField& nu
+)
 {
+    const vector mean(U().weightedAverage(cloud_.mesh().V()).value());
     for (const clumpParcel& p : cloud_)
     {
         const clumpType& type = cloud_.type(p);
@@ -42,10 +47,13 @@ void Foam::boundaryLayerCheck::add(const volScalarField& nu)
         const scalar f =
             mag(sum(p.fluidForces()))
            /(3*constant::mathematical::pi*cloud_.fluidDensity()*sqr(nu[p.cell()]));
+        const scalar ofVelocity =
+            mag(p.state().velocity(type) - mean)*2*type.reach()/nu[p.cell()];
 
         // Re is at most f, so that it is rarely needed
         const scalar cells = 2*type.reach()/cbrt(cloud_.mesh().V()[p.cell()]);
-        const scalar Re = f > sqr(cells) ? ReynoldsNumber(f) : 0;
+        const scalar Re =
+            min(f, ofVelocity) > sqr(cells) ? min(ReynoldsNumber(f), ofVelocity) : 0;
         if (Re > sqr(cells))
         {
             ++nThin_;

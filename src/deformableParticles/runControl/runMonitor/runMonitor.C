@@ -146,7 +146,7 @@ void Foam::runMonitor::check
     watchdog_.check(report_.continuityError(), U, p, phi);
     if (cloud_.coupled())
     {
-        layers_.add(flow_.nu());
+        layers_.add(U, flow_.nu());
     }
 }
 

@@ -79,6 +79,9 @@ void writeResiduals
 }
 
 
+//- States of a curve
+constexpr label nStates = 101;
+
 //- Returns the number of unstable states
 label writeCurve
 (
@@ -89,7 +92,7 @@ label writeCurve
     const Eigen::VectorXd& y
 )
 {
-    scalarField x(101);
+    scalarField x(nStates);
     forAll(x, i)
     {
         x[i] = data.abscissas().last()*i/(x.size() - 1);
@@ -382,7 +385,8 @@ int main(int argc, char* argv[])
     Info<< nl << data.points().size() << " points of " << data.file() << nl << nl;
     printParameters(parameters, y, sigma);
     printPoints(*test, data, solution, z);
-    Info<< "unstable states " << unstable << nl
+    Info<< "unstable states " << unstable << " of "
+        << nStates*solution.nVariants() << " in curve.csv" << nl
         << "volume [m3]";
     for (label v = 0; v < solution.nVariants(); ++v)
     {

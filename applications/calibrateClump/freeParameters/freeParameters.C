@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "freeParameters.H"
+#include "checkedEntries.H"
 #include "stringOps.H"
 
 Foam::freeParameters::freeParameters
@@ -23,15 +24,15 @@ Foam::freeParameters::freeParameters
         parameter& p = list_[i];
         p.name = names[i];
 
-        const word path(d.get<word>("entry"));
+        const word path(getEntry<word>(d, "entry"));
         for (const auto& level : stringOps::split(path, '.'))
         {
             p.entry.append(word(level.str()));
         }
-        p.min = d.get<scalar>("min");
-        p.max = d.get<scalar>("max");
+        p.min = getEntry<scalar>(d, "min");
+        p.max = getEntry<scalar>(d, "max");
 
-        const word scale(d.get<word>("scale"));
+        const word scale(getEntry<word>(d, "scale"));
         p.log = scale == "log";
         if (!p.log && scale != "linear")
         {

@@ -159,7 +159,7 @@ Foam::measurement::measurement
     quantities_(quantities)
 {
     checkEntries(dict, {"file", "select", "abscissa", "values", "heldOut"});
-    const fileName name(dict.get<fileName>("file"));
+    const fileName name(getEntry<fileName>(dict, "file"));
     file_ = name.isAbsolute() ? name : folder/name;
     const csvTable table(file_);
 

@@ -63,17 +63,20 @@ Foam::IOdictionary Foam::readClumpProperties(const fvMesh& mesh)
 {
     // A number too large for the machine becomes infinite, and is refused where it is read
     const anyNumber overflow;
-    return IOdictionary
+    const IOobject io
     (
-        IOobject
-        (
-            "clumpProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        )
+        "clumpProperties", mesh.time().constant(), mesh, IOobject::MUST_READ,
+        IOobject::NO_WRITE
     );
+    if (typeFilePath<IOdictionary>(io).empty())
+    {
+        FatalErrorInFunction
+            << "There is no file " << mesh.time().constant()/io.name() << ", which says"
+            << " what clumps there are and where." << nl
+            << "    setClumps -template healthy writes it for red cells, setClumps"
+            << " -template bead for a sphere." << exit(FatalError);
+    }
+    return IOdictionary(io);
 }
 
 

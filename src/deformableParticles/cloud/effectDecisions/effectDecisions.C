@@ -6,6 +6,7 @@
 #include "effectDecisions.H"
 #include "checkedEntries.H"
 #include "clumpTotals.H"
+#include "surfaceImmersion.H"
 
 Foam::effectDecisions::effectDecisions
 (
@@ -48,6 +49,12 @@ void Foam::effectDecisions::refuseIdle(const bool implicit) const
             FatalIOErrorInFunction(getDict(dict, "lubrication"))
                 << idle.c_str() << exit(FatalIOError);
         }
+    }
+    if (surfaceImmersion::wanted(clumps_.types()) && !implicit)
+    {
+        FatalIOErrorInFunction(getDict(dict, "integrator"))
+            << "Entry 'type': a membrane is advanced implicitly. Valid here:"
+            << " implicitEuler" << exit(FatalIOError);
     }
     if
     (

@@ -78,7 +78,7 @@ scalar volumeRadius(const word& name, const dictionary& entry)
 Foam::sizeClasses::sizeClasses(const dictionary& dict)
 {
     const HashTable<label> choices({{"lognormal", 0}, {"list", 1}});
-    const word distribution(dict.get<word>("distribution"));
+    const word distribution(getEntry<word>(dict, "distribution"));
     if (!choices.found(distribution))
     {
         FatalIOErrorInLookup(dict, "distribution", distribution, choices)

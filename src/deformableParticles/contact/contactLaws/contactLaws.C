@@ -103,7 +103,7 @@ Foam::contactLaws::contactLaws
     for (const word& name : pairs.toc())
     {
         const dictionary& pair = getDict(pairs, name);
-        const wordList names(pair.get<wordList>("types"));
+        const wordList names(getEntry<wordList>(pair, "types"));
         if (names.size() != 2 || pair.found("patches"))
         {
             FatalIOErrorInFunction(pair)
@@ -152,7 +152,7 @@ Foam::contactLaws::contactLaws
         const labelList chosen
         (
             pair.found("types")
-          ? typesOf(pair, pair.get<wordList>("types"), types)
+          ? typesOf(pair, getEntry<wordList>(pair, "types"), types)
           : identity(types.size())
         );
         const wordRes given

@@ -62,7 +62,7 @@ Type between
 {
     return checked
     (
-        dict, key, dict.get<Type>(key), low, high,
+        dict, key, getEntry<Type>(dict, key), low, high,
         "from " + Foam::name(low) + " to " + Foam::name(high)
     );
 }
@@ -91,6 +91,15 @@ void Foam::refuseMisspelt(const dictionary& dict, const wordList& known)
                 refuseUnread(dict, key, known);
             }
         }
+    }
+}
+
+
+void Foam::refuseMissing(const dictionary& dict, const word& key)
+{
+    if (!dict.found(key))
+    {
+        refuseMisspelt(dict, wordList(1, key));
     }
 }
 
@@ -210,6 +219,7 @@ Foam::List<Foam::dictionary> Foam::getDictList
         "Entry '" + key + "' must be a list of dictionaries: " + key
       + " ( { ... } { ... } );"
     );
+    refuseMissing(dict, key);
     if (dict.findDict(key))
     {
         FatalIOErrorInFunction(dict) << rule.c_str() << exit(FatalIOError);
@@ -238,7 +248,7 @@ Foam::List<Foam::dictionary> Foam::getDictList
                 << rule.c_str() << " Found " << t << exit(FatalIOError);
         }
     }
-    return dict.get<List<dictionary>>(key);
+    return getEntry<List<dictionary>>(dict, key);
 }
 
 
@@ -250,13 +260,14 @@ const Foam::dictionary& Foam::getDict(const dictionary& dict, const word& key)
             << "Entry '" << key << "' must be a dictionary: " << key
             << " { ... }" << exit(FatalIOError);
     }
+    refuseMissing(dict, key);
     return dict.subDict(key);
 }
 
 
 Foam::scalar Foam::getPositive(const dictionary& dict, const word& key)
 {
-    return positive(dict, key, dict.get<scalar>(key));
+    return positive(dict, key, getEntry<scalar>(dict, key));
 }
 
 
@@ -292,7 +303,7 @@ Foam::scalar Foam::getPositive
 
 Foam::scalar Foam::getNonNegative(const dictionary& dict, const word& key)
 {
-    return nonNegative(dict, key, dict.get<scalar>(key));
+    return nonNegative(dict, key, getEntry<scalar>(dict, key));
 }
 
 

@@ -69,6 +69,12 @@ Foam::fluidCoupling::fluidCoupling
     );
     if (surfaceImmersion::wanted(types))
     {
+        if (!scheme_->damps())
+        {
+            FatalIOErrorInFunction(getDict(clumpProperties, "couplingScheme"))
+                << "Entry 'type': a membrane is coupled implicitly. Valid here: robin"
+                << exit(FatalIOError);
+        }
         surfaces_.reset
         (
             new surfaceImmersion(mesh, types, getDict(clumpProperties, "types"))
@@ -98,6 +104,16 @@ void Foam::fluidCoupling::readFluid(const dictionary& clumpProperties)
     (
         fluid.found("rho") ? fluid : clumpProperties, "rho", dimDensity
     );
+    if
+    (
+        clumpProperties.found("rho")
+     && mag(getPositive(clumpProperties, "rho", dimDensity) - rho_) > 1e-6*rho_
+    )
+    {
+        FatalIOErrorInFunction(clumpProperties)
+            << "Entry 'rho' differs from that in " << fluid.objectPath() << ", which is "
+            << rho_ << " kg/m3. Remove one of them." << exit(FatalIOError);
+    }
     if (fluid.found("nu"))
     {
         // The viscosity models take any sign

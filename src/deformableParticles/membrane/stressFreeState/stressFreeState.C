@@ -182,7 +182,7 @@ Foam::pointField Foam::stressFreeState::positions() const
     }
     const dictionary& dict = getDict(dict_, "stressFree");
     checkEntries(dict, {"type", "reducedVolume"});
-    const word form(dict.get<word>("type"));
+    const word form(getEntry<word>(dict, "type"));
     const HashTable<label> choices({{"shape", 0}, {"sphere", 1}, {"spheroid", 2}});
     if (!choices.found(form))
     {

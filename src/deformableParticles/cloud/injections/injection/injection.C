@@ -78,8 +78,7 @@ Foam::clumpCandidate Foam::injection::candidate
     c.position = position;
     c.state = clumpState(site_.types[typeId], turn);
     c.state.setRigidMotion(site_.types[typeId], velocity_, Zero);
-    c.followsFlow =
-        !dict_.found("velocity") || site_.types[typeId].hasSurface();
+    c.followsFlow = !dict_.found("velocity");
     return c;
 }
 
@@ -123,7 +122,7 @@ Foam::labelHashSet Foam::injection::openPatches(const word& entry) const
     }
 
     labelHashSet result;
-    for (const word& name : dict_.get<wordList>(entry))
+    for (const word& name : getEntry<wordList>(dict_, entry))
     {
         if (!valid.found(name))
         {

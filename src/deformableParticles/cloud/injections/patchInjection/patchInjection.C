@@ -50,7 +50,7 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
     ),
     turned_(dict.found("axis") || dict.found("angle")),
     turn_(givenRotation(dict)),
-    seed_(dict.get<label>("seed")),
+    seed_(getEntry<label>(dict, "seed")),
     due_(0),
     nBatches_(0),
     nAtOnce_(1)
@@ -63,6 +63,13 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
             FatalIOErrorInFunction(dict)
                 << "Clumps of type " << s.types[typei].name()
                 << " do not move; they cannot be injected." << exit(FatalIOError);
+        }
+        if (shares_[typei] > 0 && s.types[typei].hasSurface() && dict.found("velocity"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'velocity': " << s.types[typei].name() << " is a membrane, which"
+                << " has no inertia and enters with the velocity of the flow. Remove"
+                << " the entry." << exit(FatalIOError);
         }
     }
 }

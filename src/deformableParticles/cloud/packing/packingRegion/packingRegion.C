@@ -134,7 +134,7 @@ Foam::boolList Foam::packingRegion::inZone(const dictionary& dict) const
     {
         return boolList(mesh_.nCells(), true);
     }
-    const word name(dict.get<word>("cellZone"));
+    const word name(getEntry<word>(dict, "cellZone"));
     const label zonei = mesh_.cellZones().findZoneID(name);
     if (zonei < 0)
     {

@@ -27,7 +27,7 @@ Foam::clumpPlacements::lattice::lattice
     shares_(shares(dict, types, typeIds)),
     origin_(getFinite<point>(dict, "origin")),
     spacing_(getFinite<vector>(dict, "spacing")),
-    number_(dict.get<labelVector>("number"))
+    number_(getEntry<labelVector>(dict, "number"))
 {
     checkEntries
     (

@@ -37,7 +37,7 @@ Foam::clumpPlacements::list::list
                 "angularVelocity"
             }
         );
-        const label typei = placement::typeId(d, d.get<word>("type"));
+        const label typei = placement::typeId(d, getEntry<word>(d, "type"));
         const bool moves = d.found("velocity") || d.found("angularVelocity");
         if (types_[typei].hasSurface() && moves)
         {

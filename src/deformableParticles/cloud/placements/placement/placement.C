@@ -99,7 +99,7 @@ Foam::scalarList Foam::placement::shares
     {
         addShares
         (
-            dict, dict.get<word>("clumpType"), 1, types, typeIds, result
+            dict, getEntry<word>(dict, "clumpType"), 1, types, typeIds, result
         );
         return result;
     }

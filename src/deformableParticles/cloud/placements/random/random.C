@@ -137,7 +137,7 @@ void Foam::clumpPlacements::random::scatter
     const quaternion turn(givenRotation(dict_));
 
     // All processors draw the same numbers; one of them has the place
-    Random common(dict_.get<label>("seed"));
+    Random common(getEntry<label>(dict_, "seed"));
     label k = 0;
     forAll(numbers, typei)
     {

@@ -22,7 +22,7 @@ Foam::loads::fieldForce::fieldForce(const dictionary& dict)
 :
     load(dict, {"field", "coefficient", "coefficientCoeffs", "per"}),
     dict_(dict),
-    field_(dict.get<word>("field")),
+    field_(getEntry<word>(dict, "field")),
     coefficient_(Function1<scalar>::New("coefficient", dict))
 {
     const word per(dict.getOrDefault<word>("per", "volume"));

@@ -19,8 +19,8 @@ Foam::loads::oppositeForces::oppositeForces(const dictionary& dict)
 :
     load(dict, {"direction", "plus", "minus", "force", "forceCoeffs"}),
     direction_(getFinite<vector>(dict, "direction")),
-    plus_(dict.get<labelList>("plus")),
-    minus_(dict.get<labelList>("minus")),
+    plus_(getEntry<labelList>(dict, "plus")),
+    minus_(getEntry<labelList>(dict, "minus")),
     force_(Function1<scalar>::New("force", dict))
 {
     if (mag(direction_) < VSMALL || plus_.empty() || minus_.empty())

@@ -18,7 +18,7 @@ namespace loads
 Foam::loads::pointForces::pointForces(const dictionary& dict)
 :
     load(dict, {"spheres", "forces", "torques", "factor", "factorCoeffs"}),
-    spheres_(dict.get<labelList>("spheres")),
+    spheres_(getEntry<labelList>(dict, "spheres")),
     forces_(getFiniteList<vector>(dict, "forces")),
     torques_(getFiniteList<vector>(dict, "torques")),
     factor_(Function1<scalar>::New("factor", dict))

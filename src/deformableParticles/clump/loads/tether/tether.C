@@ -18,7 +18,7 @@ namespace loads
 Foam::loads::tether::tether(const dictionary& dict)
 :
     load(dict, {"sphere", "anchor", "stiffness"}),
-    sphere_(dict.get<label>("sphere")),
+    sphere_(getEntry<label>(dict, "sphere")),
     anchor_(getFinite<point>(dict, "anchor")),
     stiffness_(getPositive(dict, "stiffness"))
 {}

@@ -19,7 +19,7 @@ Foam::clumpShapes::shell::shell(const dictionary& dict)
 {
     checkEntries(dict, {"type", "nSpheres", "shellRadius", "sphereRadius"});
 
-    const label n = dict.get<label>("nSpheres");
+    const label n = getEntry<label>(dict, "nSpheres");
     if (n != 12 && n != 42)
     {
         FatalIOErrorInFunction(dict)

@@ -94,6 +94,22 @@ void checkSolver
 }
 
 
+//- What a corrector leaves of the error of U is no change from one corrector to the next,
+//  and the residual of the coupling does not see it
+void warnOfLoose(const dictionary& dict)
+{
+    constexpr scalar most = 0.01;
+    const scalar relTol = dict.getOrDefault<scalar>("relTol", 0);
+    if (relTol > most)
+    {
+        IOWarningInFunction(dict)
+            << "Entry 'relTol' is " << relTol << ". The outer correctors end before U is"
+            << " solved, and clumps drift across the flow. Give at most " << most
+            << ", better 1e-4." << endl;
+    }
+}
+
+
 //- Settings of the field, and of its final iteration where there are any
 template<class Field>
 wordList namesOf(const Field& field)
@@ -142,6 +158,7 @@ void Foam::solverSettings::check(const volVectorField& U)
                 *lduMatrix::smoother::asymMatrixConstructorTablePtr_,
                 *lduMatrix::preconditioner::asymMatrixConstructorTablePtr_
             );
+            warnOfLoose(dict);
         }
     }
     const word ddt(mesh.ddtScheme("ddt(U)"));

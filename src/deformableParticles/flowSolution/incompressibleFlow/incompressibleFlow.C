@@ -253,7 +253,7 @@ Foam::incompressibleFlow::incompressibleFlow
     {
         unsolvedPhysics::refuseDriving(*options_, nu());
         solverSettings::check(*p_);
-        solverSettings::check(*U_);
+        solverSettings::check(*U_, iterates);
         if (control_->dict().getOrDefault<Switch>("carryPressure", true))
         {
             carried_.reset(new carriedPressure(*p_, pRefCell_));

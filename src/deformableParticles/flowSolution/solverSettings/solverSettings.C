@@ -95,9 +95,16 @@ void checkSolver
 
 
 //- What a corrector leaves of the error of U is no change from one corrector to the next,
-//  and the residual of the coupling does not see it
-void warnOfLoose(const dictionary& dict)
+//  and the residual of the coupling does not see it. The forcing in the mesh cells of
+//  clumps makes the matrix stiff for a smoother
+void warnOfSolver(const dictionary& dict)
 {
+    if (dict.get<word>("solver") == "smoothSolver")
+    {
+        IOWarningInFunction(dict)
+            << "Entry 'solver' is smoothSolver, which needs hundreds of sweeps where clumps"
+            << " are. Give PBiCGStab with the preconditioner DILU." << endl;
+    }
     constexpr scalar most = 0.01;
     const scalar relTol = dict.getOrDefault<scalar>("relTol", 0);
     if (relTol > most)
@@ -143,7 +150,7 @@ void Foam::solverSettings::check(const volScalarField& p)
 }
 
 
-void Foam::solverSettings::check(const volVectorField& U)
+void Foam::solverSettings::check(const volVectorField& U, const bool coupled)
 {
     const fvMesh& mesh = U.mesh();
     for (const word& name : namesOf(U))
@@ -158,7 +165,10 @@ void Foam::solverSettings::check(const volVectorField& U)
                 *lduMatrix::smoother::asymMatrixConstructorTablePtr_,
                 *lduMatrix::preconditioner::asymMatrixConstructorTablePtr_
             );
-            warnOfLoose(dict);
+            if (coupled)
+            {
+                warnOfSolver(dict);
+            }
         }
     }
     const word ddt(mesh.ddtScheme("ddt(U)"));

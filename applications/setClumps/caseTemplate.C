@@ -50,6 +50,24 @@ resolution needed(const clumpType& type)
       : resolution{"Its smallest sphere", "give the drag", 2*min(type.radii()), 2, 4};
 }
 
+
+//- Part of its width that a mesh cell keeps where dynamicMeshDict refines around clumps
+scalar refinedPart(const fvMesh& mesh)
+{
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "dynamicMeshDict", mesh.time().constant(), mesh,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    const bool refines =
+        dict.getOrDefault<word>("field", word::null) == "clumpCloseness";
+    return
+        refines ? Foam::pow(0.5, dict.getOrDefault<label>("maxRefinement", 0)) : 1;
+}
+
 }
 
 
@@ -122,7 +140,8 @@ Foam::string Foam::caseTemplate::unitHint(const scalar diameter) const
     os.precision(3);
     os  << name_ << " is " << diameter << " m wide, the mesh spans " << span
         << " m, and its mesh cells are " << width(findMin(mesh_.V())) << " to "
-        << width(findMax(mesh_.V())) << " m wide.";
+        << width(findMax(mesh_.V())) << " m wide"
+        << (refined_ < 1 ? " where it is refined." : ".");
     if (diameter > cmptMax(span) || diameter < 0.1*width(findMin(mesh_.V())))
     {
         os  << nl << "    Is one of them in another unit? All lengths are in m: scale"
@@ -308,7 +327,8 @@ Foam::caseTemplate::caseTemplate
     mesh_(mesh),
     name_(name),
     position_(Zero),
-    resolution_(0)
+    resolution_(0),
+    refined_(refinedPart(mesh))
 {
     ghostExchange::checkPatches(mesh.boundaryMesh());
     readType(diameter);

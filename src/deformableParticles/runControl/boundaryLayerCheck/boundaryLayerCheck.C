@@ -5,6 +5,7 @@
 
 #include "boundaryLayerCheck.H"
 #include "mathematicalConstants.H"
+#include "StringStream.H"
 #include "volFields.H"
 
 Foam::boundaryLayerCheck::boundaryLayerCheck(const deformableCloud& cloud)
@@ -13,7 +14,8 @@ Foam::boundaryLayerCheck::boundaryLayerCheck(const deformableCloud& cloud)
     nClumps_(0),
     nThin_(0),
     thinnest_(GREAT),
-    Re_(0)
+    Re_(0),
+    layer_(GREAT)
 {}
 
 
@@ -63,6 +65,7 @@ void Foam::boundaryLayerCheck::add
                 thinnest_ = layer;
                 Re_ = Re;
             }
+            layer_ = min(layer_, 2*type.reach()/sqrt(Re));
         }
     }
 }
@@ -74,13 +77,16 @@ void Foam::boundaryLayerCheck::end() const
     const scalar Re = returnReduce(thinnest_ == thinnest ? Re_ : 0, maxOp<scalar>());
     const scalar nThin = returnReduce(nThin_, sumOp<scalar>());
     const scalar nClumps = returnReduce(nClumps_, sumOp<scalar>());
+    const scalar layer = returnReduce(layer_, minOp<scalar>());
     if (nThin > 0.1*nClumps)
     {
-        WarningInFunction
-            << "The boundary layers of clumps, D/sqrt(Re) thick, were thinner than a"
-            << " mesh cell in " << 100*nThin/nClumps << " % of all steps; the thinnest"
-            << " had " << thinnest << " mesh cells, at the Reynolds number " << Re
-            << ". Clumps are then too slow, by 4 to 8 % where a layer has 0.7 to 0.9"
-            << " mesh cells. Refine the mesh." << endl;
+        OStringStream os;
+        os.precision(3);
+        os  << "The boundary layers of clumps, D/sqrt(Re) thick, were thinner than a mesh"
+            << " cell for " << label(100*nThin/nClumps) << " % of all clumps and steps; the"
+            << " thinnest had " << thinnest << " mesh cells, at the Reynolds number " << Re
+            << ". Clumps are then too slow, by 4 to 8 % where a layer has 0.7 to 0.9 mesh"
+            << " cells. Mesh cells of " << layer << " m resolve all of them.";
+        WarningInFunction << os.str().c_str() << endl;
     }
 }

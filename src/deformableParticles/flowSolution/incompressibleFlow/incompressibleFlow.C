@@ -19,28 +19,22 @@
 #include "solverSettings.H"
 #include "unsolvedPhysics.H"
 
-namespace
-{
-
-using namespace Foam;
-
-//- Entries of the dictionary PISO or PIMPLE
-const wordList controlEntries
-({
-    "consistent", "momentumPredictor", "nOuterCorrectors", "carryPressure",
-    "wallMobility", "couplingTolerance", "andersonDepth", "nCorrectors",
-    "nNonOrthogonalCorrectors", "pRefCell", "pRefPoint", "pRefValue", "solveFlow",
-    "SIMPLErho", "transonic", "frozenFlow", "ddtCorr", "turbOnFinalIterOnly",
-    "finalOnLastPimpleIterOnly", "residualControl", "outerCorrectorResidualControl",
-    "correctPhi", "checkMeshCourantNo", "moveMeshOuterCorrectors"
-});
-
-}
-
-
 void Foam::incompressibleFlow::check(const dictionary& dict)
 {
-    checkEntries(withoutRemoved(dict, {"scaleCorrection"}), controlEntries);
+    checkEntries
+    (
+        withoutRemoved(dict, {"scaleCorrection"}),
+        {
+            "consistent", "momentumPredictor", "nOuterCorrectors",
+            "carryPressure", "wallMobility", "couplingTolerance", "andersonDepth",
+            "nCorrectors", "nNonOrthogonalCorrectors", "pRefCell",
+            "pRefPoint", "pRefValue", "solveFlow", "SIMPLErho", "transonic",
+            "frozenFlow", "ddtCorr", "turbOnFinalIterOnly",
+            "finalOnLastPimpleIterOnly", "residualControl",
+            "outerCorrectorResidualControl", "correctPhi",
+            "checkMeshCourantNo", "moveMeshOuterCorrectors"
+        }
+    );
     unsolvedPhysics::refuseSwitches(dict);
     for (const word key : {"nOuterCorrectors", "nCorrectors"})
     {
@@ -230,17 +224,10 @@ Foam::incompressibleFlow::incompressibleFlow
         mesh.solutionDict(),
         {"PISO", "PIMPLE", "SIMPLE", "solvers", "relaxationFactors", "accuracyLevel"}
     );
-    const word control(outerCorrectors::dictionaryName(mesh));
-    for (const word& name : controlEntries)
-    {
-        if (mesh.solutionDict().found(name))
-        {
-            FatalIOErrorInFunction(mesh.solutionDict())
-                << "Entry '" << name << "' is read in the dictionary " << control
-                << " only. Move it there." << exit(FatalIOError);
-        }
-    }
-    check(mesh.solutionDict().subOrEmptyDict(control));
+    check
+    (
+        mesh.solutionDict().subOrEmptyDict(outerCorrectors::dictionaryName(mesh))
+    );
     control_.reset(new outerCorrectors(mesh, iterates));
 
     readFields(mesh);

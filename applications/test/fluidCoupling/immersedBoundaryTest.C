@@ -5,6 +5,7 @@
 
 #include "testCatch.H"
 #include "testCloud.H"
+#include "mathematicalConstants.H"
 
 using namespace Foam;
 
@@ -522,37 +523,62 @@ TEST_CASE("boundary: the factor on the coupling coefficient has a limit", "[boun
 {
     // A flow that turns round in every pass, and grows
     testCloud t(point(10e-6, 10e-6, 10e-6));
-    const fvMesh& mesh = testMesh();
-    volScalarField p
-    (
-        IOobject("testP", testTime().timeName(), mesh),
-        mesh, dimensionedScalar("p", sqr(dimVelocity), 0)
-    );
-    volScalarField nu
-    (
-        IOobject("testNu", testTime().timeName(), mesh),
-        mesh, dimensionedScalar("nu", dimViscosity, 1.171e-6)
-    );
-
     scalar speed = 1e-6, largest = 0;
     for (label pass = 0; pass < 20; ++pass)
     {
         speed *= -3;
-        const volVectorField U
-        (
-            IOobject("testU", testTime().timeName(), mesh),
-            mesh, dimensionedVector("U", dimVelocity, vector(speed, 0, 0))
-        );
-        t.cloud().predict(U, p, nu);
+        t.correct(vector(speed, 0, 0));
         t.cloud().imposeEnd();
-        for (const clumpParcel& parcel : t.cloud())
-        {
-            largest = max(largest, parcel.couplingFactor());
-        }
+        largest = max(largest, t.couplingFactor());
     }
-    reduce(largest, maxOp<scalar>());
     CHECK(largest == 1024);
 
     // More damping does not help: only a shorter step may
     CHECK(t.cloud().motion().needsShorterStep());
+}
+
+
+TEST_CASE("boundary: a coefficient that is too small is raised", "[boundary][coupling]")
+{
+    // In a flow of (1 - a) u the force of the fluid on a clump with the velocity u is
+    // -a C u: as if the resistance were 5 times the coefficient
+    const point centre(10e-6, 10e-6, 10e-6);
+    const vector start(1e-3, 0, 0);
+    testCloud t(centre, start);
+    t.correct(Zero);
+    const scalar C = -t.sumForces().x()/start.x();
+    const scalar z = 6*constant::mathematical::pi*1025*1.171e-6*sum(t.type().radii());
+    const scalar inertia = 1025*t.type().volume()/testTime().deltaTValue();
+    const scalar a = (5*z + 2*inertia)/C;
+
+    // So slowly that no corrector overshoots; resists: part of a in every corrector
+    const auto factors = [&](const scalarList& resists)
+    {
+        testCloud s(centre, start);
+        scalarList result;
+        for (const scalar part : resists)
+        {
+            vector u(Zero);
+            for (const clumpParcel& p : s.cloud())
+            {
+                u = average(p.step().imposedU);
+            }
+            reduce(u, sumOp<vector>());
+            s.correct((1 - part*a)*u);
+            result.append(s.couplingFactor());
+            for (clumpParcel& p : s.cloud())
+            {
+                clumpStep& step = p.step();
+                step.end.u = step.imposedU + 0.02*(step.end.u - step.imposedU);
+            }
+            s.cloud().imposeEnd();
+        }
+        return result;
+    };
+    const scalarList raised(factors({1, 1, 1}));
+    CHECK(raised[1] == 1);
+    CHECK(raised[2] == Approx(5).epsilon(0.01));
+
+    // What a neighbour does to the flow in one corrector is not resistance
+    CHECK(factors({0, 0, 0.1, 0.1})[3] == 1);
 }

@@ -357,11 +357,10 @@ bool Foam::fluidCoupling::adapt
     const vectorField now(u - step.imposedU);
     const vectorField& last = step.change;
     const bool reverses = sum(now & last) < 0;
+    const bool counts = sum(magSqr(now)) > 1e-6*sum(magSqr(u));
 
     const bool overshoots =
-        reverses
-     && sum(magSqr(now)) > sum(magSqr(last))
-     && sum(magSqr(now)) > 1e-6*sum(magSqr(u));
+        reverses && counts && sum(magSqr(now)) > sum(magSqr(last));
 
     // A single one may be the change of an acceleration's sign, if small
     p.overshoots() = overshoots ? step.overshootsBefore + 1 : 0;
@@ -376,17 +375,25 @@ bool Foam::fluidCoupling::adapt
     {
         return false;
     }
-    if (unstable && factor < maxFactor)
+    bool sure = p.overshoots() > 1;
+    const scalar needed = neededRaise(p, dt, sure);
+    if (!repeated)
+    {
+        // What other clumps did in one corrector they seldom do in two
+        const scalar raise = counts ? min(needed, step.neededBefore) : 1;
+        step.neededBefore = needed/raise;
+        if (raise > 1)
+        {
+            return raiseFactor(p, raise);
+        }
+    }
+    if (unstable)
     {
         const bool persists = p.overshoots() > 4;
-        bool sure = p.overshoots() > 1;
-        const scalar needed =
-            max(neededRaise(p, dt, sure), scalar(persists ? 2 : 1));
-        if (needed > 1 && (sure || !repeated))
+        const scalar raise = max(needed, scalar(persists ? 2 : 1));
+        if (raise > 1 && (sure || !repeated))
         {
-            factor = min((sure ? needed : min(needed, 2.0))*factor, maxFactor);
-            step.raised = true;
-            return sure;
+            return raiseFactor(p, sure ? raise : min(raise, 2.0)) && sure;
         }
     }
     if (!reverses && !repeated)
@@ -394,6 +401,19 @@ bool Foam::fluidCoupling::adapt
         factor = max(0.98*factor, 1.0);
     }
     return false;
+}
+
+
+bool Foam::fluidCoupling::raiseFactor(clumpParcel& p, const scalar raise)
+{
+    scalar& factor = p.couplingFactor();
+    if (factor >= maxFactor)
+    {
+        return false;
+    }
+    factor = min(raise*factor, maxFactor);
+    p.step().raised = true;
+    return true;
 }
 
 
@@ -411,6 +431,10 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     scalarField z, zR;
     viscous(*scheme_, type, p.couplingFactor()*mu_, dt, z, zR);
     const scalarField dd(magSqr(d));
+    if (sum(dd) < 1e-6*sum(magSqr(step.end.u)))
+    {
+        return 1;
+    }
     const scalar own = sum(type.masses()*dd)/dt;
     const scalar inside = rho_*sum(type.volumes()*dd)/dt;
     const scalar inertia = own + inside;

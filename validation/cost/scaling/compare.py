@@ -12,7 +12,7 @@ BANDWIDTH = 0.4e9       # of a rank [B/s]
 CPU = {0.20: 7.7e-3, 0.45: 6.7e-3}
 CORRECTORS = {0.20: 4.7, 0.45: 6.8}     # outer ones, of such a step
 HERE = 4                                # the same in these runs
-PER_RANK = 8            # red cells here
+PER_RANK = 16           # red cells here
 LARGE = 4096, 1e5       # ranks, red cells
 
 results = Results()
@@ -35,11 +35,12 @@ for key in sorted({ranks_of(row) for row in rows}):
         "collectives": max(row["collectives"] for row in own),
         "trees": min(row["tree_messages"] for row in own),
         "linear iterations": own[0]["linear_iterations"],
+        "memory": max(row["memory_MB"] for row in own),
     }
 
 for (haematocrit, blood, ranks), values in counts.items():
     for name, value in values.items():
-        unit = "kB" if name == "kB" else "-"
+        unit = {"kB": "kB", "memory": "MB"}.get(name, "-")
         name = "sent" if name == "kB" else name
         results.report(f"{100*haematocrit:g} %, {KINDS[blood]}, {ranks:g} ranks: {name}",
                        value, unit, "calls of MPI in a step")

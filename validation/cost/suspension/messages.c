@@ -1,11 +1,13 @@
 /* Counts what a rank sends: loaded before MPI, prints at the end of the run
        messages <rank> <sent> <bytes> <collective operations> <of the sent ones, in trees>
+           <largest memory, MB>
    Sent are MPI_Send, MPI_Bsend and MPI_Isend, collective MPI_Allreduce and MPI_Alltoall, which are
    those that OpenFOAM calls in a step. OpenFOAM sends by MPI_Send what it gathers and scatters along
    a tree of the ranks, and by the others what goes to neighbours. MPI's profiling interface (MPI
    standard, chapter "Profiling Interface") gives every function a second name with the prefix P. */
 #include <mpi.h>
 #include <stdio.h>
+#include <sys/resource.h>
 
 static long long sent, bytes, collective, trees;
 
@@ -60,7 +62,13 @@ int MPI_Alltoall
 int MPI_Finalize(void)
 {
     int rank;
+    struct rusage usage;
     PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    fprintf(stderr, "messages %d %lld %lld %lld %lld\n", rank, sent, bytes, collective, trees);
+    getrusage(RUSAGE_SELF, &usage);
+    fprintf
+    (
+        stderr, "messages %d %lld %lld %lld %lld %ld\n",
+        rank, sent, bytes, collective, trees, usage.ru_maxrss/1024
+    );
     return PMPI_Finalize();
 }

@@ -10,6 +10,7 @@
 #include "gradScheme.H"
 #include "LduMatrix.H"
 #include "lduMatrix.H"
+#include "unitConversion.H"
 #include "volFields.H"
 
 namespace
@@ -117,6 +118,36 @@ void warnOfSolver(const dictionary& dict)
 }
 
 
+//- Schemes without the part of a gradient across a face that lines between the centres of
+//  mesh cells do not see where they meet the face obliquely
+void warnOfScheme(const fvMesh& mesh)
+{
+    constexpr scalar most = 5;
+    const tokenList& scheme = mesh.laplacianScheme("laplacian(nuEff,U)");
+    for (const token& t : scheme)
+    {
+        const word name(t.isWord() ? t.wordToken() : word());
+        if (name != "orthogonal" && name != "uncorrected")
+        {
+            continue;
+        }
+        const scalar angle = radToDeg
+        (
+            Foam::atan(gMax(mag(mesh.nonOrthCorrectionVectors().primitiveField())()))
+        );
+        if (angle > most)
+        {
+            IOWarningInFunction(mesh.schemesDict().subDict("laplacianSchemes"))
+                << "The scheme of laplacian(nuEff,U) is '" << name << "', but the lines"
+                << " between the centres of mesh cells meet faces at up to " << angle
+                << " degrees from their normals. This leaves an error that does not"
+                << " become smaller on a finer mesh. Give 'corrected' in laplacianSchemes"
+                << " and in snGradSchemes." << endl;
+        }
+    }
+}
+
+
 //- Settings of the field, and of its final iteration where there are any
 template<class Field>
 wordList namesOf(const Field& field)
@@ -171,6 +202,7 @@ void Foam::solverSettings::check(const volVectorField& U, const bool coupled)
             }
         }
     }
+    warnOfScheme(mesh);
     const word ddt(mesh.ddtScheme("ddt(U)"));
     if (ddt == "steadyState")
     {

@@ -15,6 +15,10 @@ for row in rows:
     results.add(f"{name}: change of the volume", row["volume"], "-", 0, "1e-6", "exact")
     results.add(f"{name}: largest angle between neighbouring triangles", row["fold_deg"], "degrees",
                 0, "150", "180 where a surface is folded on itself")
+    if name == "fifty shear times":
+        for column in ("area", "length"):
+            results.add(f"{name}: largest {column} in the second half over the first",
+                        row[f"later_{column}"], "-", 1, 0.002, "a steady capsule")
     results.report(f"{name}: outer correctors", row["correctors"], "-", "this code")
     results.report(f"{name}: repeated of {row['steps']:.0f} steps", row["repeated"], "-",
                    "this code")

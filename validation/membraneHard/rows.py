@@ -1,6 +1,7 @@
 """The row of a run in data.csv: steps, whether it ended, mean outer correctors, steps that were
 repeated and that missed the tolerance, largest change of volume, largest area and length over those
-at the start, and largest angle between triangles that share an edge at any time written."""
+at the start, the same in the second half of the run over the first, and largest angle between
+triangles that share an edge at any time written."""
 import re
 import sys
 
@@ -36,9 +37,12 @@ def fold(path):
 rows = table(case, "clumpShape")
 first = rows[0]
 volume = max(abs(r["volume"]/first["volume"] - 1) for r in rows)
+middle = len(rows)//2
 area, length = (max(r[c] for r in rows)/first[c] for c in ("area", "L1"))
+later = [max(r[c] for r in rows[middle:])/max(r[c] for r in rows[:middle])
+         for c in ("area", "L1")]
 folds = max(fold(path) for _, path in clumpSpheres.frames(case))
 print(f"{name},{len(correctors)},{'yes' if re.search('^End', log, re.M) else 'no'},"
       f"{sum(correctors)/max(len(correctors), 1):.2f},"
       f"{len(re.findall('is repeated with', log))},{missed[0] if missed else 0},"
-      f"{volume:.1e},{area:.3f},{length:.3f},{folds:.0f}")
+      f"{volume:.1e},{area:.3f},{length:.3f},{later[0]:.5f},{later[1]:.5f},{folds:.0f}")

@@ -20,8 +20,11 @@ for row in rows:
             results.add(f"{name}: largest {column} in the second half over the first",
                         row[f"later_{column}"], "-", 1, 0.002, "a steady capsule")
     results.report(f"{name}: outer correctors", row["correctors"], "-", "this code")
-    results.report(f"{name}: repeated of {row['steps']:.0f} steps", row["repeated"], "-",
-                   "this code")
+    repeated = f"{name}: repeated of {row['steps']:.0f} steps"
+    if name == "steps of half a shear time":
+        results.add(repeated, row["repeated"], "-", 0, 2, "but from rest, they have a solution")
+    else:
+        results.report(repeated, row["repeated"], "-", "this code")
 
 figure, axes = plt.subplots(2, (len(rows) + 1)//2, figsize=(8, 3.8), squeeze=False)
 for axis in axes.flat:

@@ -259,14 +259,14 @@ Foam::scalar Foam::membraneStep::linearise
 
 bool Foam::membraneStep::solve
 (
-    const vectorField& gradient,
+    const vectorField& left,
     const vectorField& ofVolume,
     const membraneFactors& factors,
     directions& d
 ) const
 {
     return
-        tangent_.solve(-membraneTangent::asVector(gradient), factors, d.free)
+        tangent_.solve(-membraneTangent::asVector(left), factors, d.free)
      && tangent_.solve(membraneTangent::asVector(ofVolume), factors, d.ofPressure);
 }
 
@@ -322,9 +322,13 @@ bool Foam::membraneStep::minimise
         vectorField gradient(y.size());
         const scalar value0 = linearise(step, y, p, true, gradient);
 
+        // What is left with the last pressure: of the whole gradient, even a small
+        // error would hide what the volume leaves of it
+        const vectorField left(gradient - p*ofVolume);
+
         // The last factors do, unless the tangent has changed too much
         directions d;
-        if (!(factors.usable() && solve(gradient, ofVolume, factors, d)))
+        if (!(factors.usable() && solve(left, ofVolume, factors, d)))
         {
             if (!factors.factorise(tangent_))
             {
@@ -334,7 +338,7 @@ bool Foam::membraneStep::minimise
                     break;
                 }
             }
-            if (!solve(gradient, ofVolume, factors, d))
+            if (!solve(left, ofVolume, factors, d))
             {
                 break;
             }
@@ -343,8 +347,9 @@ bool Foam::membraneStep::minimise
         // With the pressure that brings the volume back
         const scalar excess = surface().volume(y) - type.volume();
         const auto g = membraneTangent::asVector(ofVolume);
-        p = -(excess + g.dot(d.free))/g.dot(d.ofPressure);
-        const vectorField dy(toField(d.free + p*d.ofPressure));
+        const scalar dp = -(excess + g.dot(d.free))/g.dot(d.ofPressure);
+        const vectorField dy(toField(d.free + dp*d.ofPressure));
+        p += dp;
 
         const scalar penalty = 2*mag(p);
         const scalar part = lineSearch

@@ -126,7 +126,7 @@ bool Foam::membraneTangent::solve
 ) const
 {
     constexpr label most = 25;
-    constexpr scalar tolerance = 1e-2;
+    constexpr scalar tolerance = 1e-3;
 
     // With the residual, and its norm in the preconditioner
     x.setZero(r.size());

@@ -18,6 +18,7 @@ LARGE = 4096, 1e5       # ranks, red cells
 results = Results()
 rows = read("data.csv")
 KINDS = {"yes": "blood", "no": "one red cell"}
+MEASURES = {"sent": ("kB", "calls of MPI in a step"), "memory": ("MB", "resident, at most")}
 
 
 def ranks_of(row):
@@ -31,7 +32,7 @@ for key in sorted({ranks_of(row) for row in rows}):
     # scatter it sends nothing; OpenFOAM's reductions are a gather and a scatter
     counts[key] = {
         "messages to neighbours": max(row["messages"] for row in own),
-        "kB": max(row["bytes"] for row in own)/1e3,
+        "sent": max(row["bytes"] for row in own)/1e3,
         "collectives": max(row["collectives"] for row in own),
         "trees": min(row["tree_messages"] for row in own),
         "linear iterations": own[0]["linear_iterations"],
@@ -40,10 +41,8 @@ for key in sorted({ranks_of(row) for row in rows}):
 
 for (haematocrit, blood, ranks), values in counts.items():
     for name, value in values.items():
-        unit = {"kB": "kB", "memory": "MB"}.get(name, "-")
-        name = "sent" if name == "kB" else name
         results.report(f"{100*haematocrit:g} %, {KINDS[blood]}, {ranks:g} ranks: {name}",
-                       value, unit, "calls of MPI in a step")
+                       value, *MEASURES.get(name, ("-", "calls of MPI in a step")))
 
 
 def waits(values):
@@ -62,7 +61,7 @@ def predicted(haematocrit, blood):
     surface = (cells/ranks/PER_RANK)**(2/3)
     steps = CORRECTORS[haematocrit]/HERE
     messages = of[last]["messages to neighbours"]*LATENCY \
-        + 1e3*of[last]["kB"]*surface/BANDWIDTH
+        + 1e3*of[last]["sent"]*surface/BANDWIDTH
     # Along a tree of the ranks and back
     wait = 2*math.log2(ranks)*LATENCY
     result = [cells/ranks*CPU[haematocrit], steps*messages, steps*waits(of[last])*wait]

@@ -371,7 +371,7 @@ bool Foam::fluidCoupling::adapt
     scalar& factor = p.couplingFactor();
     step.needsShorterStep =
         unstable && !(scheme_->damps() && factor < maxFactor);
-    if (!scheme_->damps())
+    if (!scheme_->damps() || (repeated && !unstable))
     {
         return false;
     }
@@ -427,14 +427,14 @@ Foam::scalar Foam::fluidCoupling::neededRaise
     const clumpType& type = types_[p.typeId()];
     const clumpStep& step = p.step();
     const vectorField& d = step.imposedChange;
-
-    scalarField z, zR;
-    viscous(*scheme_, type, p.couplingFactor()*mu_, dt, z, zR);
     const scalarField dd(magSqr(d));
     if (sum(dd) < 1e-6*sum(magSqr(step.end.u)))
     {
         return 1;
     }
+
+    scalarField z, zR;
+    viscous(*scheme_, type, p.couplingFactor()*mu_, dt, z, zR);
     const scalar own = sum(type.masses()*dd)/dt;
     const scalar inside = rho_*sum(type.volumes()*dd)/dt;
     const scalar inertia = own + inside;

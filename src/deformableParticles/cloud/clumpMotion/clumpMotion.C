@@ -27,6 +27,7 @@ Foam::clumpMotion::clumpMotion
         clumps.mesh(), clumps.types(), clumps.bonds(), contacts_, walls_, gaps_
     ),
     decisions_(clumps, contacts_, walls_, gaps_),
+    approximate_(false),
     nSolves_(0)
 {
     const dictionary& dict = clumps.properties();
@@ -87,8 +88,10 @@ void Foam::clumpMotion::setNodeForces()
 }
 
 
-void Foam::clumpMotion::solve()
+void Foam::clumpMotion::solve(const bool endsStep)
 {
+    contacting_.endsStep = endsStep;
+    approximate_ = false;
     const scalar dt = clumps_.mesh().time().deltaTValue();
     for (clumpParcel& p : clumps_)
     {

@@ -83,6 +83,7 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
                 p.step().guessed = together[index++];
             }
             solved = true;
+            approximate_ = !contacting_.endsStep;
             continue;
         }
 

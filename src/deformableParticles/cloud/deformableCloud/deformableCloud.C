@@ -92,7 +92,7 @@ void Foam::deformableCloud::evolve
     }
     gatherForces(U, p, nu);
     motion_.decideEffects();
-    motion_.solve();
+    motion_.solve(true);
 
     flowChange_ = Zero;
     if (coupled())
@@ -107,7 +107,7 @@ void Foam::deformableCloud::evolve()
 {
     updateGhosts();
     motion_.decideEffects();
-    motion_.solve();
+    motion_.solve(true);
 }
 
 

@@ -134,7 +134,7 @@ void Foam::deformableCloud::predict
 )
 {
     gatherForces(U, p, nu);
-    motion_.solve();
+    motion_.solve(false);
 }
 
 

@@ -149,9 +149,14 @@ bool Foam::couplingIteration::converged()
 {
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
-    const scalar residual = residual_.value(p0_);
     const scalar allowed = (nCorrectors_ == 1 ? 0.1 : 1)*tolerance_;
     const bool enough = nCorrectors_ >= flow_.control().least();
+    scalar residual = residual_.value(p0_);
+    if (residual < allowed && enough && cloud_.motion().approximate())
+    {
+        cloud_.motion().solve(true);
+        residual = residual_.value(p0_);
+    }
     if ((residual < allowed && enough) || !residual_.solved())
     {
         return true;

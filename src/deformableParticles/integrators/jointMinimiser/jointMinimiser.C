@@ -277,28 +277,6 @@ bool Foam::jointMinimiser::lowers
 
 void Foam::jointMinimiser::predict(const motions& steps)
 {
-    bool moves = false;
-    for (const clumpInteraction::member& member : group_.members())
-    {
-        moves = moves || !member.guessed;
-    }
-
-    // Where all have a guess it is the start; no processor knows that yet
-    evaluate();
-    here_[untried] = moves;
-    here_[passable] = -group_.passable(steps);
-    if (!moves)
-    {
-        prepare();
-    }
-    exchange();
-    ready_ = true;
-    if (sums_[untried] == 0)
-    {
-        return;
-    }
-
-    const scalar before = sums_[ofPotentials];
     const auto start = [&](const scalar fraction)
     {
         forAll(potentials_, m)
@@ -310,17 +288,27 @@ void Foam::jointMinimiser::predict(const motions& steps)
                 (
                     type(m), *member.start, steps[m], fraction, *member.end
                 );
+                moved_[m] = GREAT;
+                hasMoved_[m] = true;
             }
         }
-        moved_ = GREAT;
-        hasMoved_ = true;
         begin();
     };
-    start(-sums_[passable]);
-    if (sums_[ofPotentials] > before)
+
+    evaluate();
+    here_[unmoved] = here_[ofPotentials];
+    here_[passable] = -group_.passable(steps);
+    here_[untried] = here_[passable] > -1;
+    start(here_[untried] > 0 ? 0 : 1);
+    if (sums_[untried] > 0)
+    {
+        start(-sums_[passable]);
+    }
+    if (sums_[ofPotentials] > sums_[unmoved])
     {
         start(0);
     }
+    ready_ = true;
 }
 
 

@@ -93,7 +93,7 @@ Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
 :
     mesh_(mesh),
     procBoxes_(Pstream::nProcs()),
-    reach_(-1),
+    reaches_(Pstream::nProcs(), Zero),
     partnerDistance_(-1),
     nSearches_(0),
     nOwn_(0)
@@ -113,9 +113,10 @@ const Foam::boundBox& Foam::ghostExchange::localBox() const
 
 bool Foam::ghostExchange::meetsItself() const
 {
+    const scalar largest = max(reaches_);
     for (label s = 1; s < shifts_.size(); ++s)
     {
-        if (mag(shifts_[s]) < 2*reach_)
+        if (mag(shifts_[s]) < 2*largest)
         {
             return true;
         }
@@ -219,27 +220,30 @@ void Foam::ghostExchange::findShifts()
 
 void Foam::ghostExchange::findNeighbours(const scalar reach)
 {
-    if (reach_ <= 0 && reach > 0)
+    const label me = Pstream::myProcNo();
+    const bool first = max(reaches_) <= 0;
+
+    // Widened, so that this need not be repeated when a clump stretches
+    reaches_[me] = max(reaches_[me], 1.5*reach);
+    gatherToAll(reaches_);
+    if (first)
     {
         checkPatches(mesh_.boundaryMesh());
     }
-
-    // Widened, so that this need not be repeated when a clump stretches
-    reach_ = 1.5*reach;
     neighbours_.clear();
     ++nSearches_;
 
-    const boundBox mine(grown(localBox(), 2*reach_));
+    const boundBox mine(grown(localBox(), reaches_[me]));
 
     forAll(procBoxes_, proci)
     {
-        if (proci == Pstream::myProcNo())
+        if (proci == me)
         {
             continue;
         }
         for (const vector& shift : shifts_)
         {
-            boundBox other(procBoxes_[proci]);
+            boundBox other(grown(procBoxes_[proci], reaches_[proci]));
             other.min() += shift;
             other.max() += shift;
 
@@ -299,7 +303,7 @@ void Foam::ghostExchange::appendImages
     DynamicList<clumpImage>& images
 ) const
 {
-    const boundBox reachable(grown(procBoxes_[proci], reach_));
+    const boundBox reachable(grown(procBoxes_[proci], reaches_[proci]));
 
     for (const vector& shift : shifts_)
     {
@@ -344,8 +348,8 @@ void Foam::ghostExchange::updateNeighbours()
     {
         reach = max(reach, image.reach);
     }
-    reduce(reach, maxOp<scalar>());
-    if (reach > reach_)
+    const bool larger = reach > reaches_[Pstream::myProcNo()];
+    if (returnReduce(larger, orOp<bool>()))
     {
         findNeighbours(reach);
     }

@@ -58,7 +58,7 @@ void Foam::wallSurface::collect
     const ghostExchange& ghosts
 )
 {
-    known_ = 3*ghosts.reach();
+    known_ = 3*ghosts.reach(Pstream::myProcNo());
 
     // Triangles as three points each
     DynamicList<point> corners;
@@ -69,22 +69,23 @@ void Foam::wallSurface::collect
         corners.append(faceTriangles(faces[facei], points));
         patchOf.append(labelList(faces[facei].size(), patches[facei]));
     }
+    const boundBox all(corners, false);
 
     // What a clump on another processor, or behind a periodic boundary, may feel
     const auto around = [&](const label proci, DynamicList<label>& ofPatch)
     {
         DynamicList<point> found;
-        const scalar width = known_ + ghosts.reach();
-        const boundBox box(grown(ghosts.box(proci), width));
+        const boundBox box(grown(ghosts.box(proci), 4*ghosts.reach(proci)));
         forAll(ghosts.shifts(), s)
         {
-            if (proci == Pstream::myProcNo() && s == 0)
+            const vector& shift = ghosts.shifts()[s];
+            const bool itself = proci == Pstream::myProcNo() && s == 0;
+            if (itself || !box.overlaps(boundBox(all.min() + shift, all.max() + shift)))
             {
                 continue;
             }
             for (label t = 0; t < corners.size(); t += 3)
             {
-                const vector& shift = ghosts.shifts()[s];
                 const point a(corners[t] + shift);
                 const point b(corners[t + 1] + shift);
                 const point c(corners[t + 2] + shift);
@@ -100,23 +101,37 @@ void Foam::wallSurface::collect
         return found;
     };
 
+    // Walls may be farther away than clumps that meet
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    for (const label proci : ghosts.neighbours())
+    DynamicList<point> ofImages;
+    DynamicList<label> patchOfImages;
+    for (label proci = 0; proci < Pstream::nProcs(); ++proci)
     {
-        UOPstream os(proci, buffers);
         DynamicList<label> ofPatch;
-        os << List<point>(around(proci, ofPatch));
-        os << labelList(ofPatch);
+        const DynamicList<point> found(around(proci, ofPatch));
+        if (proci == Pstream::myProcNo())
+        {
+            ofImages = found;
+            patchOfImages = ofPatch;
+        }
+        else if (found.size())
+        {
+            UOPstream os(proci, buffers);
+            os << List<point>(found) << labelList(ofPatch);
+        }
     }
-    buffers.finishedSends();
-    DynamicList<label> ofImages;
-    corners.append(around(Pstream::myProcNo(), ofImages));
-    patchOf.append(ofImages);
-    for (const label proci : ghosts.neighbours())
+    labelList sizes;
+    buffers.finishedSends(sizes);
+    corners.append(ofImages);
+    patchOf.append(patchOfImages);
+    forAll(sizes, proci)
     {
-        UIPstream is(proci, buffers);
-        corners.append(List<point>(is));
-        patchOf.append(labelList(is));
+        if (proci != Pstream::myProcNo() && sizes[proci])
+        {
+            UIPstream is(proci, buffers);
+            corners.append(List<point>(is));
+            patchOf.append(labelList(is));
+        }
     }
 
     makeSearch(corners, patchOf);

@@ -126,6 +126,26 @@ void Foam::deformableCloud::sampleMembranes(const volVectorField& U)
 }
 
 
+void Foam::deformableCloud::imposeFlow(const volVectorField& U)
+{
+    for (clumpImage& image : ghosts_.images())
+    {
+        image.fluid.reset(image.x.size());
+    }
+    coupling_->boundary().sampleVelocity(U, ghosts_.images());
+    ghosts_.returnForces();
+    sampleMembranes(U);
+
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        p.step().end = p.state();
+        followFlow(p, ghosts_.images()[index++], p.step().end);
+    }
+    imposeEnd();
+}
+
+
 void Foam::deformableCloud::predict
 (
     const volVectorField& U,
@@ -198,28 +218,40 @@ void Foam::deformableCloud::gatherForces
 }
 
 
-bool Foam::deformableCloud::followFlow()
+void Foam::deformableCloud::followFlow
+(
+    const clumpParcel& p,
+    const clumpImage& image,
+    clumpState& s
+) const
+{
+    if (type(p).fixed())
+    {
+        return;
+    }
+    if (type(p).hasSurface())
+    {
+        s.u = p.step().nodes.u;
+    }
+    else
+    {
+        coupling_->followFlow(type(p), image, s);
+    }
+    const vector held(motion_.held(p.typeId()) & s.velocity(type(p)));
+    s.u -= held;
+}
+
+
+bool Foam::deformableCloud::startWithVelocities()
 {
     bool some = false;
     label index = 0;
     for (clumpParcel& p : *this)
     {
         const clumpImage& image = ghosts_.images()[index++];
-        if (start_.followsFlow(p) && !type(p).fixed())
+        if (start_.followsFlow(p))
         {
-            if (type(p).hasSurface())
-            {
-                p.state().u = p.step().nodes.u;
-            }
-            else
-            {
-                coupling_->followFlow(p, image);
-            }
-            const vector held
-            (
-                motion_.held(p.typeId()) & p.state().velocity(type(p))
-            );
-            p.state().u -= held;
+            followFlow(p, image, p.state());
         }
         some = some || (!start_.followsFlow(p) && max(mag(p.state().u)) > 0);
     }
@@ -250,8 +282,9 @@ bool Foam::deformableCloud::startWithFlow
         sampleMembranes(U);
     }
 
-    const bool some = followFlow();
+    const bool some = startWithVelocities();
     start_.end();
+    followedFlow_ = coupled() && !some;
 
     // What starts with a velocity of its own starts with the fluid inside it
     if (!coupled() || !some)

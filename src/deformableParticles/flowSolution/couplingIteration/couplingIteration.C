@@ -43,6 +43,7 @@ Foam::couplingIteration::couplingIteration
     residual_(cloud, flow),
     tolerance_(0),
     nCorrectors_(0),
+    withoutClumps_(false),
     last_(0),
     nSteps_(0),
     nMissed_(0),
@@ -147,6 +148,11 @@ void Foam::couplingIteration::add(const scalarField& change)
 
 bool Foam::couplingIteration::converged()
 {
+    if (withoutClumps_)
+    {
+        cloud_.imposeFlow(flow_.U());
+        return false;
+    }
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
     const scalar allowed = (nCorrectors_ == 1 ? 0.1 : 1)*tolerance_;
@@ -188,6 +194,9 @@ bool Foam::couplingIteration::loop()
         p0_ = flow_.p().primitiveField();
     }
     ++nCorrectors_;
+    withoutClumps_ =
+        nCorrectors_ == 1 && clumpsFollow_ && cloud_.followedFlow()
+     && control.nCorrPIMPLE() > 1;
     return true;
 }
 

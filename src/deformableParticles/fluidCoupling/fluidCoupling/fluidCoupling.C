@@ -232,12 +232,11 @@ void Foam::fluidCoupling::takeTorques
 
 void Foam::fluidCoupling::followFlow
 (
-    clumpParcel& p,
-    const clumpImage& image
-) const
+    const clumpType& type,
+    const clumpImage& image,
+    clumpState& s
+)
 {
-    const clumpType& type = types_[p.typeId()];
-    clumpState& s = p.state();
     forAll(s.u, i)
     {
         // sampleVelocity has stored the integrals of velocity and volume here

@@ -44,6 +44,7 @@ Foam::couplingIteration::couplingIteration
     tolerance_(0),
     nCorrectors_(0),
     withoutClumps_(false),
+    nextWithout_(false),
     last_(0),
     nSteps_(0),
     nMissed_(0),
@@ -146,11 +147,26 @@ void Foam::couplingIteration::add(const scalarField& change)
 }
 
 
+bool Foam::couplingIteration::flowChanged() const
+{
+    const volVectorField& U = flow_.U();
+    const scalarField change(mag(U.primitiveField() - U.oldTime().primitiveField()));
+    return gMax(change) > 1e-6*gMax(mag(U.primitiveField())());
+}
+
+
 bool Foam::couplingIteration::converged()
 {
     if (withoutClumps_)
     {
-        cloud_.imposeFlow(flow_.U());
+        if (flowChanged())
+        {
+            cloud_.imposeFlow(flow_.U());
+        }
+        else
+        {
+            --nCorrectors_;
+        }
         return false;
     }
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
@@ -194,9 +210,8 @@ bool Foam::couplingIteration::loop()
         p0_ = flow_.p().primitiveField();
     }
     ++nCorrectors_;
-    withoutClumps_ =
-        nCorrectors_ == 1 && clumpsFollow_ && cloud_.followedFlow()
-     && control.nCorrPIMPLE() > 1;
+    withoutClumps_ = nextWithout_;
+    nextWithout_ = false;
     return true;
 }
 
@@ -205,6 +220,9 @@ void Foam::couplingIteration::beginStep()
 {
     residual_.beginStep();
     nCorrectors_ = 0;
+    withoutClumps_ = false;
+    nextWithout_ =
+        clumpsFollow_ && cloud_.followedFlow() && flow_.control().nCorrPIMPLE() > 1;
     if (clumpsFollow_)
     {
         acceleration_->clear();

@@ -134,7 +134,6 @@ void Foam::deformableCloud::imposeFlow(const volVectorField& U)
     }
     coupling_->boundary().sampleVelocity(U, ghosts_.images());
     ghosts_.returnForces();
-    sampleMembranes(U);
 
     label index = 0;
     for (clumpParcel& p : *this)
@@ -284,7 +283,7 @@ bool Foam::deformableCloud::startWithFlow
 
     const bool some = startWithVelocities();
     start_.end();
-    followedFlow_ = coupled() && !some;
+    followedFlow_ = coupled() && !some && !coupling_->surfaces();
 
     // What starts with a velocity of its own starts with the fluid inside it
     if (!coupled() || !some)

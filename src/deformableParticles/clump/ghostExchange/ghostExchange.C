@@ -233,17 +233,16 @@ void Foam::ghostExchange::findNeighbours(const scalar reach)
     neighbours_.clear();
     ++nSearches_;
 
-    const boundBox mine(grown(localBox(), reaches_[me]));
-
     forAll(procBoxes_, proci)
     {
         if (proci == me)
         {
             continue;
         }
+        const boundBox mine(grown(localBox(), 2*margin(proci)));
         for (const vector& shift : shifts_)
         {
-            boundBox other(grown(procBoxes_[proci], reaches_[proci]));
+            boundBox other(procBoxes_[proci]);
             other.min() += shift;
             other.max() += shift;
 
@@ -303,7 +302,7 @@ void Foam::ghostExchange::appendImages
     DynamicList<clumpImage>& images
 ) const
 {
-    const boundBox reachable(grown(procBoxes_[proci], reaches_[proci]));
+    const boundBox reachable(grown(procBoxes_[proci], margin(proci)));
 
     for (const vector& shift : shifts_)
     {

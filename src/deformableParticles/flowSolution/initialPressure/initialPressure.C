@@ -16,10 +16,12 @@ void Foam::setInitialPressure(volScalarField& p)
         return;
     }
 
-    dictionary solver(p.mesh().solverDict(p.name()));
-    solver.set("tolerance", 1e-10);
-    solver.set("relTol", 0);
-    solver.set("maxIter", 10000);
+    dictionary solver;
+    solver.add("solver", word("PCG"));
+    solver.add("preconditioner", word("DIC"));
+    solver.add("tolerance", 1e-12);
+    solver.add("relTol", 0);
+    solver.add("maxIter", 10000);
 
     fvScalarMatrix start(fvm::laplacian(p));
     start.solve(solver);

@@ -8,6 +8,14 @@
 #include "mathematicalConstants.H"
 #include "vector2D.H"
 
+namespace
+{
+    //- Part of the clumps with a raised coupling coefficient for which all others need not
+    //  be solved again while another outer corrector follows: one of many has one always
+    constexpr Foam::scalar few = 0.05;
+}
+
+
 Foam::clumpMotion::clumpMotion
 (
     clumpSuspension& clumps,
@@ -125,12 +133,14 @@ bool Foam::clumpMotion::adaptCoupling
     const bool repeated
 )
 {
-    bool again = false;
+    // Raised, and all
+    vector2D number(0, clumps_.size());
     for (clumpParcel& p : clumps_)
     {
-        again = coupling_->adapt(p, dt, repeated) || again;
+        number.x() += coupling_->adapt(p, dt, repeated);
     }
-    return returnReduce(again, orOp<bool>());
+    reduce(number, sumOp<vector2D>());
+    return number.x() > (contacting_.endsStep ? 0 : few*number.y());
 }
 
 

@@ -66,14 +66,11 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
     }
 
     // And those that do on their way
-    bool any = false;
     for (bool solved = false; true; )
     {
         contacting_.addTouching(together);
         bool strayed = false;
-        const bool added = contacting_.shareMembers(strayed);
-        any = any || added;
-        if (any && (added || !solved))
+        if (contacting_.mustSolve(solved, strayed))
         {
             const timeBreakdown::timer t(clumps_.timing(), "clumps");
             nSolves_ += integrator_->advance(contacting_, dt);

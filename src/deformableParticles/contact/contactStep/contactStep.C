@@ -99,23 +99,30 @@ Foam::scalar Foam::contactStep::deviation(const label a) const
 }
 
 
-bool Foam::contactStep::shareMembers(bool& strayed)
+bool Foam::contactStep::mustSolve(const bool solved, bool& strayed)
 {
-    // One exchange for both
-    vector2D any(hasNewMembers_, 0);
-    forAll(slacks_, a)
+    // Where some touched before in this step, they do so again
+    strayed = false;
+    if (solved || !touched_)
     {
-        any.y() = any.y() > 0 || deviation(a) > slacks_[a];
-    }
-    reduce(any, maxOp<vector2D>());
+        // One exchange for both
+        vector2D any(hasNewMembers_, 0);
+        forAll(slacks_, a)
+        {
+            any.y() = any.y() > 0 || deviation(a) > slacks_[a];
+        }
+        reduce(any, maxOp<vector2D>());
 
-    strayed = any.y() > 0;
-    hasNewMembers_ = false;
-    if (any.x() > 0)
-    {
-        remote_.exchange(isMember_);
+        strayed = any.y() > 0;
+        touched_ = any.x() > 0 || touched_;
+        if (any.x() <= 0)
+        {
+            return false;
+        }
     }
-    return any.x() > 0;
+    hasNewMembers_ = false;
+    remote_.exchange(isMember_);
+    return true;
 }
 
 

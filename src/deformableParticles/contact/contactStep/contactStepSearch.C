@@ -37,6 +37,7 @@ bool Foam::contactStep::resume
     )
     {
         slacks_.clear();
+        touched_ = false;
         return false;
     }
     if (search_.tooNarrow)

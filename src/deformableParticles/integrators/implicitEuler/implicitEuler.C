@@ -12,9 +12,11 @@ namespace
     //- Last step of Newton's method that needs no warning, in sphere radii
     constexpr Foam::scalar harmless = 1e-6;
 
-    //- Iterations for a solution from which another outer corrector goes on. A few clumps
-    //  of many need more; with two, correctors were lost
+    //- Iterations for a solution from which another outer corrector goes on, and the part
+    //  of the first one's step below which there are no more. A few clumps of many need
+    //  more; with two iterations, correctors were lost
     constexpr Foam::label few = 5;
+    constexpr Foam::scalar rough = 0.01;
 }
 
 namespace Foam
@@ -110,10 +112,11 @@ Foam::label Foam::integrators::implicitEuler::advance
     // Friction is found by several solutions with an ever sharper corner
     const bool exact = group.endsStep || group.turns();
     const label most = exact ? maxIterations_ : min(maxIterations_, few);
+    const scalar reduction = exact ? 0 : rough;
 
     jointMinimiser newton(group, dt, tolerance_, most);
     newton.predict(steps);
-    bool converged = newton.minimise();
+    bool converged = newton.minimise(reduction);
     for (label n = 0; exact && n < 10; ++n)
     {
         if (!newton.resume(group.redistribute()))
@@ -121,7 +124,7 @@ Foam::label Foam::integrators::implicitEuler::advance
             group.restore();
             break;
         }
-        converged = newton.minimise();
+        converged = newton.minimise(reduction);
     }
     if (exact && !converged && newton.lastStep() > harmless && Pstream::master())
     {

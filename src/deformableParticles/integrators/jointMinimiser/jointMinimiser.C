@@ -230,8 +230,8 @@ void Foam::jointMinimiser::takeStep()
 
     // A contact that begins is not in the tangent: where the step goes too far, the
     // minimum along it lies in the contact
-    scalar low = 0;
-    scalar high = -sums_[passable];
+    scalar low = 0, high = -sums_[passable];
+    scalar slopeLow = sums_[slopeBefore], slopeHigh = 0;
     scalar part = high;
     if (sums_[untried] > 0)
     {
@@ -246,7 +246,16 @@ void Foam::jointMinimiser::takeStep()
             break;  // downhill as far as the step may go
         }
         (far ? high : low) = part;
-        part = 0.5*(low + high);
+        (far ? slopeHigh : slopeLow) = sums_[slope];
+
+        // Where the slope would vanish if it were linear, if that is not near an end
+        scalar middle = 0.5;
+        if (slopeLow < 0 && slopeHigh > 0)
+        {
+            const scalar root = slopeLow/(slopeLow - slopeHigh);
+            middle = root < 0.1 || root > 0.9 ? 0.5 : root;
+        }
+        part = low + middle*(high - low);
         tryPart(part);
     }
 }
@@ -322,24 +331,25 @@ bool Foam::jointMinimiser::resume(const bool changed)
 }
 
 
-bool Foam::jointMinimiser::minimise()
+bool Foam::jointMinimiser::minimise(const scalar reduction)
 {
     if (!ready_)
     {
         begin();
     }
     ready_ = false;
+    const scalar small = max(tolerance_, reduction*sums_[ownPart]);
 
     for (label n = 0; n < maxIterations_; ++n)
     {
         // After a longer step there is always another one
-        const bool near = n == 0 || lastStep_ < 1000*tolerance_;
-        if (near && sums_[ownPart] <= tolerance_)
+        const bool near = n == 0 || lastStep_ < 1000*small;
+        if (near && sums_[ownPart] <= small)
         {
             return true;
         }
         takeStep();
-        if (lastStep_ <= tolerance_)
+        if (lastStep_ <= small)
         {
             return true;
         }

@@ -5,6 +5,7 @@
 
 #include "surfaceDistance.H"
 #include "triSurfaceTools.H"
+#include <cmath>
 
 Foam::List<Foam::labelledTri> Foam::surfaceDistance::trianglesOf
 (
@@ -21,6 +22,13 @@ Foam::List<Foam::labelledTri> Foam::surfaceDistance::trianglesOf
 }
 
 
+Foam::label Foam::surfaceDistance::depth(const label nTriangles)
+{
+    constexpr scalar perBox = 20;
+    return max(label(1), label(std::round(0.5*std::log2(nTriangles/perBox))));
+}
+
+
 Foam::surfaceDistance::surfaceDistance
 (
     const closedSurface& surface,
@@ -28,7 +36,8 @@ Foam::surfaceDistance::surfaceDistance
 )
 :
     surface_(trianglesOf(surface), x),
-    search_(surface_)
+    // With the default tolerance
+    search_(surface_, -1, depth(surface_.size()))
 {}
 
 

@@ -261,13 +261,15 @@ bool Foam::membraneStep::solve
 (
     const vectorField& left,
     const vectorField& ofVolume,
-    const membraneFactors& factors,
-    directions& d
+    membraneFactors& factors,
+    Eigen::VectorXd& free
 ) const
 {
+    const auto asVector = membraneTangent::asVector;
+    free.resize(0);
     return
-        tangent_.solve(-membraneTangent::asVector(left), factors, d.free)
-     && tangent_.solve(membraneTangent::asVector(ofVolume), factors, d.ofPressure);
+        tangent_.solve(-asVector(left), factors, free)
+     && tangent_.solve(asVector(ofVolume), factors, factors.ofPressure);
 }
 
 
@@ -327,8 +329,8 @@ bool Foam::membraneStep::minimise
         const vectorField left(gradient - p*ofVolume);
 
         // The last factors do, unless the tangent has changed too much
-        directions d;
-        if (!(factors.usable() && solve(left, ofVolume, factors, d)))
+        Eigen::VectorXd free;
+        if (!(factors.usable() && solve(left, ofVolume, factors, free)))
         {
             if (!factors.factorise(tangent_))
             {
@@ -338,7 +340,7 @@ bool Foam::membraneStep::minimise
                     break;
                 }
             }
-            if (!solve(left, ofVolume, factors, d))
+            if (!solve(left, ofVolume, factors, free))
             {
                 break;
             }
@@ -347,8 +349,8 @@ bool Foam::membraneStep::minimise
         // With the pressure that brings the volume back
         const scalar excess = surface().volume(y) - type.volume();
         const auto g = membraneTangent::asVector(ofVolume);
-        const scalar dp = -(excess + g.dot(d.free))/g.dot(d.ofPressure);
-        const vectorField dy(toField(d.free + dp*d.ofPressure));
+        const scalar dp = -(excess + g.dot(free))/g.dot(factors.ofPressure);
+        const vectorField dy(toField(free + dp*factors.ofPressure));
         p += dp;
 
         const scalar penalty = 2*mag(p);
@@ -360,7 +362,7 @@ bool Foam::membraneStep::minimise
             penalty, y
         );
         change = max(mag(dy))/type.halfWidth();
-        allowed = max(allowed, 1e-3*change);
+        allowed = max(allowed, 1e-2*change);
         if (part == 0)
         {
             break;

@@ -126,22 +126,30 @@ bool Foam::membraneTangent::solve
 ) const
 {
     constexpr label most = 25;
-    constexpr scalar tolerance = 1e-3;
+    constexpr scalar tolerance = 1e-2;
 
-    // With the residual, and its norm in the preconditioner
-    x.setZero(r.size());
+    // With the residual, and its norm in the preconditioner. That of r is r.H^-1 r
     Eigen::VectorXd residual(r);
+    const scalar known = x.size() ? x.dot(r) : 0;
+    if (known > 0)
+    {
+        residual -= times(x);
+    }
+    else
+    {
+        x.setZero(r.size());
+    }
     Eigen::VectorXd z(factors.solve(residual));
     Eigen::VectorXd p(z);
     scalar norm = residual.dot(z);
-    const scalar allowed = sqr(tolerance)*norm;
+    const scalar allowed = sqr(tolerance)*(known > 0 ? known : norm);
     for (label n = 0; n < most && norm > allowed; ++n)
     {
         const Eigen::VectorXd Hp(times(p));
         const scalar curvature = p.dot(Hp);
         if (!(curvature > 0))
         {
-            return false;
+            break;
         }
         x += norm/curvature*p;
         residual -= norm/curvature*Hp;
@@ -150,7 +158,12 @@ bool Foam::membraneTangent::solve
         norm = residual.dot(z);
         p = z + norm/last*p;
     }
-    return norm <= allowed;
+    if (!(norm <= allowed))
+    {
+        x.resize(0);
+        return false;
+    }
+    return true;
 }
 
 

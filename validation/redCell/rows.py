@@ -63,11 +63,11 @@ elif kind == "recovery":
         if r["time"] >= release - 1e-9:
             print(f"{r['time'] - release:g},{r['Lx']/r['Ly']:.5f}")
 elif kind == "turned":
-    rate, mu, strain = sys.argv[2:]
+    rate, mu, strain, subdivisions = sys.argv[2:]
     axis = unwrapped([r["inclination"] for r in rows], 2)
     node = unwrapped([r["phase"] for r in rows])
     half = len(rows)//2
-    print(f"{rate},{mu},{strain},{degrees(axis[-1] - axis[half]):.0f},"
+    print(f"{rate},{mu},{subdivisions},{strain},{degrees(axis[-1] - axis[half]):.0f},"
           f"{degrees(node[-1] - node[half]):.0f}")
 else:
     rate, mu, subdivisions, step, cells, seconds = sys.argv[2:]

@@ -6,7 +6,6 @@
 #include "testCatch.H"
 #include "testMembrane.H"
 #include "layerViscosity.H"
-#include "membraneFactors.H"
 #include "mathematicalConstants.H"
 #include "triangleElasticity.H"
 
@@ -18,17 +17,6 @@ namespace
 const scalar pi = constant::mathematical::pi;
 
 using membrane = testMembrane;
-
-//- Nodes that have moved a part of their distance from the origin
-pointField deformed(const clumpType& type, const scalar size, Random& random)
-{
-    pointField x(type.centres());
-    for (point& p : x)
-    {
-        p += size*mag(p)*randomVector(random);
-    }
-    return x;
-}
 
 scalar energy(const membraneMechanics& m, const pointField& x)
 {
@@ -242,38 +230,6 @@ TEST_CASE("membrane: the bending tangent at the spontaneous curvature", "[membra
     const auto direction = membraneTangent::asVector(v);
     const scalar work = direction.dot(membraneTangent::asVector(expected));
     CHECK(direction.dot(tangent.times(direction)) == Approx(work).epsilon(0.05));
-}
-
-
-TEST_CASE("membrane: the tangent is positive and solved for", "[membrane][serial]")
-{
-    const string models = GENERATE
-    (
-        "a { type neoHookean; shearModulus 2; }",
-        "a { type skalak; shearModulus 2; areaRatio 3; }"
-        " b { type helfrich; bendingStiffness 0.3; }"
-        " c { type surfaceArea; areaModulus 500; }"
-    );
-    INFO(models);
-    const membrane m(models);
-    Random random(5);
-    const pointField x(0.8*deformed(m.type, 0.2, random));
-    membraneTangent tangent(m.type.surface(), m.mechanics.rings());
-    vectorField unused(x.size(), Zero);
-    m.mechanics.add(x, unused, &tangent);
-
-    Eigen::VectorXd r(Eigen::VectorXd::Random(tangent.size()));
-    CHECK(r.dot(tangent.times(r)) > 0);
-    forAll(x, i)
-    {
-        tangent.add(i, i, 0.1*Eigen::Matrix3d::Identity());
-    }
-    membraneFactors factors(tangent);
-    REQUIRE(factors.factorise(tangent));
-    Eigen::VectorXd v;
-    REQUIRE(tangent.solve(r, factors, v));
-    CHECK((tangent.times(v) - r).norm() < 1e-9*r.norm());
-    CHECK(v.dot(r) > 0);
 }
 
 

@@ -11,8 +11,8 @@
 namespace
 {
     //- Part of the clumps with a raised coupling coefficient for which all others need not
-    //  be solved again while another outer corrector follows: one of many has one always
-    constexpr Foam::scalar few = 0.05;
+    //  be solved again while another outer corrector follows: of many, one has it always
+    constexpr Foam::scalar fewRaised = 0.05;
 }
 
 
@@ -115,7 +115,7 @@ void Foam::clumpMotion::solve(const bool endsStep)
     for (label n = 0; n < most; ++n)
     {
         solveOnce(dt);
-        if (!clumps_.coupled() || !adaptCoupling(dt, n > 0))
+        if (!clumps_.coupled() || !adaptCoupling(dt, n > 0, endsStep))
         {
             break;
         }
@@ -130,17 +130,21 @@ void Foam::clumpMotion::solve(const bool endsStep)
 bool Foam::clumpMotion::adaptCoupling
 (
     const scalar dt,
-    const bool repeated
+    const bool repeated,
+    const bool endsStep
 )
 {
-    // Raised, and all
-    vector2D number(0, clumps_.size());
+    // Raised, and all that may be
+    vector2D number(Zero);
     for (clumpParcel& p : clumps_)
     {
-        number.x() += coupling_->adapt(p, dt, repeated);
+        if (!type(p).fixed() && !type(p).hasSurface())
+        {
+            number += vector2D(coupling_->adapt(p, dt, repeated), 1);
+        }
     }
     reduce(number, sumOp<vector2D>());
-    return number.x() > (contacting_.endsStep ? 0 : few*number.y());
+    return number.x() > (endsStep ? 0 : fewRaised*number.y());
 }
 
 

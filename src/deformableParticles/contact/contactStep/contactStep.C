@@ -101,7 +101,7 @@ Foam::scalar Foam::contactStep::deviation(const label a) const
 
 bool Foam::contactStep::mustSolve(const bool solved, bool& strayed)
 {
-    // Where some touched before in this step, they do so again
+    // Where some touched before in this step, they nearly always do so again
     strayed = false;
     if (solved || !touched_)
     {

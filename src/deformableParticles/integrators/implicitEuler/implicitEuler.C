@@ -13,7 +13,7 @@ namespace
     constexpr Foam::scalar harmless = 1e-6;
 
     //- Iterations for a solution from which another outer corrector goes on, and the part
-    //  of the first one's step below which there are no more. A few clumps of many need
+    //  of what they begin with below which there are no more. A few clumps of many need
     //  more; with two iterations, correctors were lost
     constexpr Foam::label few = 5;
     constexpr Foam::scalar rough = 0.01;

@@ -169,7 +169,7 @@ void Foam::jointMinimiser::begin()
 }
 
 
-void Foam::jointMinimiser::takeStep()
+bool Foam::jointMinimiser::takeStep()
 {
     List<clumpState> before(potentials_.size());
     forAll(before, m)
@@ -233,6 +233,7 @@ void Foam::jointMinimiser::takeStep()
     scalar low = 0, high = -sums_[passable];
     scalar slopeLow = sums_[slopeBefore], slopeHigh = 0;
     scalar part = high;
+    bool wasFar = false;
     if (sums_[untried] > 0)
     {
         tryPart(high);
@@ -247,6 +248,11 @@ void Foam::jointMinimiser::takeStep()
         }
         (far ? high : low) = part;
         (far ? slopeHigh : slopeLow) = sums_[slope];
+        if (attempt > 0 && far == wasFar)
+        {
+            (far ? slopeLow : slopeHigh) *= 0.5;
+        }
+        wasFar = far;
 
         // Where the slope would vanish if it were linear, if that is not near an end
         scalar middle = 0.5;
@@ -258,6 +264,7 @@ void Foam::jointMinimiser::takeStep()
         part = low + middle*(high - low);
         tryPart(part);
     }
+    return part == 1;
 }
 
 
@@ -348,8 +355,8 @@ bool Foam::jointMinimiser::minimise(const scalar reduction)
         {
             return true;
         }
-        takeStep();
-        if (lastStep_ <= small)
+        const bool whole = takeStep();
+        if (lastStep_ <= (whole ? small : tolerance_))
         {
             return true;
         }

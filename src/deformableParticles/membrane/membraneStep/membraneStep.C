@@ -314,11 +314,12 @@ bool Foam::membraneStep::minimise
     constexpr label most = 100;
     constexpr scalar tolerance = 1e-6;
     const clumpType& type = mechanics_.type();
-    scalar p = 0;
+    scalar& p = factors.pressure;
     scalar change = GREAT;
 
     scalar allowed = tolerance;
-    for (label n = 0; n < most && change > allowed; ++n)
+    bool whole = true;
+    for (label n = 0; n < most && !(whole && change <= allowed); ++n)
     {
         const vectorField ofVolume(surface().areaVectors(y));
         vectorField gradient(y.size());
@@ -362,13 +363,14 @@ bool Foam::membraneStep::minimise
             penalty, y
         );
         change = max(mag(dy))/type.halfWidth();
-        allowed = max(allowed, 1e-2*change);
+        allowed = max(allowed, 1e-3*part*change);
+        whole = part == 1 || part == 0;
         if (part == 0)
         {
             break;
         }
     }
-    return change <= allowed;
+    return whole && change <= allowed;
 }
 
 

@@ -128,7 +128,8 @@ bool Foam::membraneTangent::solve
     constexpr label most = 25;
     constexpr scalar tolerance = 1e-2;
 
-    // With the residual, and its norm in the preconditioner. That of r is r.H^-1 r
+    // With the residual, and its norm in the preconditioner. Where x is known, that of r is
+    // about r.x
     Eigen::VectorXd residual(r);
     const scalar known = x.size() ? x.dot(r) : 0;
     if (known > 0)

@@ -142,10 +142,10 @@ for mu, mark in (28.9, "s-"), (35, "o-"):
     rows = [r for r in read("data.csv") if r["mu_mPas"] == mu and r["subdivisions"] == 2]
     right.semilogx([r["rate"] for r in rows], [r["f_over_rate"] for r in rows], mark,
                    label=f"{mu:g} mPa s")
-for r in read("data.csv"):
-    if r["subdivisions"] == 3:
-        right.semilogx(r["rate"], r["f_over_rate"], "d",
-                       label=f"{r['mu_mPas']:g} mPa s, 642 nodes")
+fine = [r for r in read("data.csv") if r["subdivisions"] == 3]
+if fine:
+    right.semilogx([r["rate"] for r in fine], [r["f_over_rate"] for r in fine], "d",
+                   label=f"{fine[0]['mu_mPas']:g} mPa s, 642 nodes")
 right.errorbar(list(fischer), [f for f, _ in fischer.values()], [sd for _, sd in fischer.values()],
                fmt="k.-", capsize=2, lw=0.7, label="Fischer, 28.9 mPa s")
 right.semilogx(list(tst), list(tst.values()), "kx-", lw=0.7, label="Tran-Son-Tay, 35 mPa s")

@@ -8,14 +8,6 @@
 #include "mathematicalConstants.H"
 #include "vector2D.H"
 
-namespace
-{
-    //- Part of the clumps with a raised coupling coefficient for which all others need not
-    //  be solved again while another outer corrector follows: of many, one has it always
-    constexpr Foam::scalar fewRaised = 0.05;
-}
-
-
 Foam::clumpMotion::clumpMotion
 (
     clumpSuspension& clumps,
@@ -115,7 +107,7 @@ void Foam::clumpMotion::solve(const bool endsStep)
     for (label n = 0; n < most; ++n)
     {
         solveOnce(dt);
-        if (!clumps_.coupled() || !adaptCoupling(dt, n > 0, endsStep))
+        if (!clumps_.coupled() || !adaptCoupling(dt, n > 0))
         {
             break;
         }
@@ -130,21 +122,15 @@ void Foam::clumpMotion::solve(const bool endsStep)
 bool Foam::clumpMotion::adaptCoupling
 (
     const scalar dt,
-    const bool repeated,
-    const bool endsStep
+    const bool repeated
 )
 {
-    // Raised, and all that may be
-    vector2D number(Zero);
+    bool again = false;
     for (clumpParcel& p : clumps_)
     {
-        if (!type(p).fixed() && !type(p).hasSurface())
-        {
-            number += vector2D(coupling_->adapt(p, dt, repeated), 1);
-        }
+        again = coupling_->adapt(p, dt, repeated) || again;
     }
-    reduce(number, sumOp<vector2D>());
-    return number.x() > (endsStep ? 0 : fewRaised*number.y());
+    return returnReduce(again, orOp<bool>());
 }
 
 

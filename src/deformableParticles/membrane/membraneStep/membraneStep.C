@@ -318,8 +318,8 @@ bool Foam::membraneStep::minimise
     scalar change = GREAT;
 
     scalar allowed = tolerance;
-    bool whole = true;
-    for (label n = 0; n < most && !(whole && change <= allowed); ++n)
+    bool maySuffice = true;
+    for (label n = 0; n < most && !(maySuffice && change <= allowed); ++n)
     {
         const vectorField ofVolume(surface().areaVectors(y));
         vectorField gradient(y.size());
@@ -363,14 +363,15 @@ bool Foam::membraneStep::minimise
             penalty, y
         );
         change = max(mag(dy))/type.halfWidth();
-        allowed = max(allowed, 1e-3*part*change);
-        whole = part == 1 || part == 0;
+        allowed = max(allowed, 1e-2*part*change);
+        const scalar off = mag(surface().volume(y) - type.volume());
+        maySuffice = part == 0 || (part == 1 && off <= 1e-10*type.volume());
         if (part == 0)
         {
             break;
         }
     }
-    return whole && change <= allowed;
+    return maySuffice && change <= allowed;
 }
 
 

@@ -53,6 +53,9 @@ TEST_CASE("membrane: forces are the gradient of the energy", "[membrane][serial]
         "a { type neoHookean; shearModulus 2; }",
         "a { type skalak; shearModulus 2; areaRatio 3; }",
         "a { type surfaceArea; areaModulus 5; }",
+        "a { type triangleArea; areaModulus 5; }",
+        "a { type springNetwork; shearModulus 2; }",
+        "a { type springNetwork; shearModulus 2; largestStretch 1.1; }",
         "a { type helfrich; bendingStiffness 0.3; }",
         "a { type helfrich; bendingStiffness 0.3; spontaneousCurvature -1.3; }",
         "a { type neoHookean; shearModulus 2; }"
@@ -127,7 +130,9 @@ TEST_CASE("membrane: exact second derivatives", "[membrane][serial]")
     (
         "a { type neoHookean; shearModulus 2; }",
         "a { type skalak; shearModulus 2; areaRatio 3; }",
-        "a { type surfaceArea; areaModulus 5; }"
+        "a { type surfaceArea; areaModulus 5; }",
+        "a { type triangleArea; areaModulus 5; }",
+        "a { type springNetwork; shearModulus 2; }"
     );
     INFO(models);
     const membrane m(models);
@@ -170,7 +175,9 @@ TEST_CASE("membrane: the tangent leaves out what is negative", "[membrane][seria
     (
         "a { type neoHookean; shearModulus 2; }",
         "a { type skalak; shearModulus 2; areaRatio 3; }",
-        "a { type surfaceArea; areaModulus 5; }"
+        "a { type surfaceArea; areaModulus 5; }",
+        "a { type triangleArea; areaModulus 5; }",
+        "a { type springNetwork; shearModulus 2; }"
     );
     INFO(models);
     const membrane m(models);

@@ -254,7 +254,7 @@ Foam::string Foam::couplingIteration::disagreement(scalar& before)
     last_ = residual_.value(p0_);
     const bool far =
         tolerance_ > 0 && last_ > max(5*tolerance_, scalar(0.1));
-    const bool refused = far && last_ < 0.9*before;
+    const bool refused = far && (last_ < 0.9*before || last_ > 0.5);
     before = far ? last_ : GREAT;
     if (!refused)
     {

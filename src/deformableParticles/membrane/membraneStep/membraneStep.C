@@ -28,16 +28,6 @@ Eigen::Matrix3d asMatrix(const tensor& t)
     return result;
 }
 
-vectorField toField(const Eigen::VectorXd& v)
-{
-    vectorField result(v.size()/3);
-    forAll(result, i)
-    {
-        result[i] = vector(v[3*i], v[3*i + 1], v[3*i + 2]);
-    }
-    return result;
-}
-
 }
 
 
@@ -50,7 +40,7 @@ Foam::membraneStep::membraneStep
 :
     mechanics_(type, dict),
     contacts_(contacts),
-    tangent_(type.surface(), mechanics_.rings())
+    minimiser_(type, mechanics_.rings())
 {}
 
 
@@ -238,143 +228,6 @@ Foam::scalar Foam::membraneStep::value
 }
 
 
-Foam::scalar Foam::membraneStep::linearise
-(
-    const problem& step,
-    const vectorField& y,
-    const scalar p,
-    const bool exact,
-    vectorField& gradient
-) const
-{
-    tangent_.clear(exact);
-    const scalar result = value(step, y, gradient, &tangent_);
-    if (exact)
-    {
-        tangent_.addPressure(surface(), y, p);
-    }
-    return result;
-}
-
-
-bool Foam::membraneStep::solve
-(
-    const vectorField& left,
-    const vectorField& ofVolume,
-    membraneFactors& factors,
-    Eigen::VectorXd& free
-) const
-{
-    const auto asVector = membraneTangent::asVector;
-    free.resize(0);
-    return
-        tangent_.solve(-asVector(left), factors, free)
-     && tangent_.solve(asVector(ofVolume), factors, factors.ofPressure);
-}
-
-
-Foam::scalar Foam::membraneStep::lineSearch
-(
-    const problem& step,
-    const vectorField& dy,
-    const scalar merit,
-    const scalar slope,
-    const scalar penalty,
-    vectorField& y
-) const
-{
-    const scalar V0 = mechanics_.type().volume();
-
-    // Near the minimum the difference of two values is round-off
-    const bool near = max(mag(dy)) < 1e-6*mechanics_.type().halfWidth();
-    for (scalar part = 1; part > 1e-6; part *= 0.5)
-    {
-        vectorField unused(y.size());
-        const vectorField tried(y + part*dy);
-        const scalar there =
-            value(step, tried, unused)
-          + penalty*mag(surface().volume(tried) - V0);
-        if (near || there <= merit + 1e-4*part*slope)
-        {
-            y = tried;
-            return part;
-        }
-    }
-    return 0;
-}
-
-
-bool Foam::membraneStep::minimise
-(
-    const problem& step,
-    membraneFactors& factors,
-    vectorField& y
-) const
-{
-    constexpr label most = 100;
-    constexpr scalar tolerance = 1e-6;
-    const clumpType& type = mechanics_.type();
-    scalar& p = factors.pressure;
-    scalar change = GREAT;
-
-    scalar allowed = tolerance;
-    bool maySuffice = true;
-    for (label n = 0; n < most && !(maySuffice && change <= allowed); ++n)
-    {
-        const vectorField ofVolume(surface().areaVectors(y));
-        vectorField gradient(y.size());
-        const scalar value0 = linearise(step, y, p, true, gradient);
-
-        // What is left with the last pressure: of the whole gradient, even a small
-        // error would hide what the volume leaves of it
-        const vectorField left(gradient - p*ofVolume);
-
-        // The last factors do, unless the tangent has changed too much
-        Eigen::VectorXd free;
-        if (!(factors.usable() && solve(left, ofVolume, factors, free)))
-        {
-            if (!factors.factorise(tangent_))
-            {
-                linearise(step, y, p, false, gradient);
-                if (!factors.factorise(tangent_))
-                {
-                    break;
-                }
-            }
-            if (!solve(left, ofVolume, factors, free))
-            {
-                break;
-            }
-        }
-
-        // With the pressure that brings the volume back
-        const scalar excess = surface().volume(y) - type.volume();
-        const auto g = membraneTangent::asVector(ofVolume);
-        const scalar dp = -(excess + g.dot(free))/g.dot(factors.ofPressure);
-        const vectorField dy(toField(free + dp*factors.ofPressure));
-        p += dp;
-
-        const scalar penalty = 2*mag(p);
-        const scalar part = lineSearch
-        (
-            step, dy,
-            value0 + penalty*mag(excess),
-            sum(gradient & dy) - penalty*mag(excess),
-            penalty, y
-        );
-        change = max(mag(dy))/type.halfWidth();
-        allowed = max(allowed, 1e-2*part*change);
-        const scalar off = mag(surface().volume(y) - type.volume());
-        maySuffice = part == 0 || (part == 1 && off <= 1e-10*type.volume());
-        if (part == 0)
-        {
-            break;
-        }
-    }
-    return maySuffice && change <= allowed;
-}
-
-
 void Foam::membraneStep::advance
 (
     clumpParcel& p,
@@ -427,13 +280,20 @@ void Foam::membraneStep::advance
     std::shared_ptr<membraneFactors>& factors = p.step().factors;
     if (!factors)
     {
-        factors = std::make_shared<membraneFactors>(tangent_);
+        factors = std::make_shared<membraneFactors>(minimiser_.tangent());
     }
     if (!p.step().guessed)
     {
         factors->forget();
     }
-    flow.solved = minimise(step, *factors, y);
+    const auto potential = [&]
+    (
+        const vectorField& x, vectorField& gradient, membraneTangent* tangent
+    )
+    {
+        return value(step, x, gradient, tangent);
+    };
+    flow.solved = minimiser_.minimise(potential, *factors, y, 1e-2);
 
     vectorField F(flow.force);
     addResistance(step, y - step.target, F, nullptr);

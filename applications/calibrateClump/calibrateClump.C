@@ -110,9 +110,8 @@ label writeCurve
     label unstable = 0;
     for (label v = 0; v < solution.nVariants(); ++v)
     {
-        const bondedClump clump("fit", solution.type(y, v));
         label n = 0;
-        const List<scalarField> curve(test.predict(clump.bonds, x, &n));
+        const List<scalarField> curve(test.predict(solution.type(y, v), x, &n));
         unstable += n;
         forAll(x, i)
         {
@@ -141,8 +140,9 @@ void writeLoads
 {
     for (label v = 0; v < solution.nVariants(); ++v)
     {
-        const bondedClump clump("fit", solution.type(y, v));
-        const dictionary loads(test.loads(clump.bonds, data.abscissas().last()));
+        const dictionary dict(solution.type(y, v));
+        const clumpType type("fit", dict);
+        const dictionary loads(test.loads(dict, data.abscissas().last()));
         const fileName file
         (
             "loads" + (solution.nVariants() > 1 ? Foam::name(v) : word())
@@ -158,9 +158,10 @@ void writeLoads
             {
                 for (const label i : e.dict().get<labelList>(key))
                 {
-                    Info<< "// " << key << ": sphere " << i << " of "
-                        << clump.type.size() << ", at "
-                        << clump.type.centres()[i] << " m at rest" << nl;
+                    Info<< "// " << key << ": "
+                        << (type.hasSurface() ? "node " : "sphere ") << i << " of "
+                        << type.size() << ", at " << type.centres()[i]
+                        << " m at rest" << nl;
                 }
             }
         }
@@ -177,8 +178,7 @@ void warnOfOtherQuantity
     const dictionary& type
 )
 {
-    const bondedClump clump("fit", type);
-    const List<scalarField> rest(test.predict(clump.bonds, scalarField(1, 0.0)));
+    const List<scalarField> rest(test.predict(type, scalarField(1, 0.0)));
     const wordList names(test.quantities());
     labelHashSet seen;
     for (const measurement::point& p : data.points())
@@ -385,9 +385,12 @@ int main(int argc, char* argv[])
     Info<< nl << data.points().size() << " points of " << data.file() << nl << nl;
     printParameters(parameters, y, sigma);
     printPoints(*test, data, solution, z);
-    Info<< "unstable states " << unstable << " of "
-        << nStates*solution.nVariants() << " in curve.csv" << nl
-        << "volume [m3]";
+    if (!clumpType("fit", solution.type(y)).hasSurface())
+    {
+        Info<< "unstable states " << unstable << " of "
+            << nStates*solution.nVariants() << " in curve.csv" << nl;
+    }
+    Info<< "volume [m3]";
     for (label v = 0; v < solution.nVariants(); ++v)
     {
         Info<< ' ' << clumpType("fit", solution.type(y, v)).volume();

@@ -75,6 +75,12 @@ def relaxation(times, ratios):
 
 
 if not QUICK:
+    fitted, = read("fitted.csv")
+    results.report("shear modulus fitted by calibrateClump", 1e6*fitted["modulus_N_m"], "uN/m",
+                   f"+- {1e6*fitted['error_N_m']:.2g}")
+    results.add("diameters with that: largest residual", fitted["largest_z"], "error bars", 0, 1,
+                MILLS)
+
     curves = {}
     for m in read(find("../creep/reference/recovery_hochmuth1979_henon1999.csv")):
         curves.setdefault(m["set"], []).append((m["t_s"], m["ratio"]))

@@ -51,10 +51,9 @@ Eigen::VectorXd Foam::fit::residuals(const Eigen::VectorXd& y) const
 
     for (label v = 0; v < nVariants(); ++v)
     {
-        const bondedClump clump("fit", type(y, v));
         const List<scalarField> model
         (
-            test_.predict(clump.bonds, data_.abscissas())
+            test_.predict(type(y, v), data_.abscissas())
         );
         ++nCalls_;
 

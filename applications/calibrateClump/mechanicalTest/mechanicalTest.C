@@ -13,13 +13,56 @@ namespace Foam
 }
 
 
+Foam::mechanicalTest::mechanicalTest(const dictionary& dict)
+:
+    reading_(clumpExtent::readingNames.get("reading", dict)),
+    pulledPart_
+    (
+        dict.getCheckOrDefault<scalar>
+        (
+            "pulledPart", 0.02, [](scalar x){ return x > 0 && x <= 0.5; }
+        )
+    )
+{}
+
+
+Foam::Pair<Foam::scalar> Foam::mechanicalTest::extents
+(
+    const clumpType& type,
+    const pointField& x
+) const
+{
+    const bool nodes = type.hasSurface();
+    const scalarField radii(nodes ? scalarField(x.size(), Zero) : type.radii());
+    const auto reading = nodes ? clumpExtent::reading::spheres : reading_;
+    return Pair<scalar>
+    (
+        clumpExtent::along(vector(1, 0, 0), x, radii, reading),
+        clumpExtent::along(vector(0, 1, 0), x, radii, reading)
+    );
+}
+
+
+Foam::externalForces Foam::mechanicalTest::pull
+(
+    const clumpType& type,
+    const scalar F
+) const
+{
+    return equilibrium::stretch
+    (
+        type, vector(F, 0, 0), type.hasSurface() ? pulledPart_ : 0
+    );
+}
+
+
 Foam::dictionary Foam::mechanicalTest::oppositeForces
 (
     const clumpType& type,
     const scalar F
-)
+) const
 {
-    const auto ext(equilibrium::stretch(type, vector(F, 0, 0)));
+    const auto ext(pull(type, F));
     labelList plus;
     labelList minus;
     forAll(ext.f, i)

@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stretching.H"
+#include "clumpBonds.H"
 #include "equilibrium.H"
+#include "membraneEquilibrium.H"
 
 namespace Foam
 {
@@ -16,45 +18,72 @@ namespace mechanicalTests
 }
 
 
+Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::ofNodes
+(
+    const clumpType& type,
+    const dictionary& dict,
+    const UList<scalar>& forces
+) const
+{
+    const membraneEquilibrium solver(type, dict);
+    List<scalarField> result(2, scalarField(forces.size(), GREAT));
+    pointField x(type.centres());
+    forAll(forces, k)
+    {
+        if (!solver.find(pull(type, forces[k]).f, x))
+        {
+            x = type.centres();
+            continue;
+        }
+        const Pair<scalar> lengths(extents(type, x));
+        for (label q = 0; q < 2; ++q)
+        {
+            result[q][k] = lengths[q];
+        }
+    }
+    return result;
+}
+
+
 Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
 (
-    const clumpBonds& bonds,
+    const dictionary& dict,
     const UList<scalar>& forces,
     label* unstable
 ) const
 {
-    const clumpType& type = bonds.type();
-    List<scalarField> result(2, scalarField(forces.size(), GREAT));
-    const equilibrium solver;
-    clumpState s(type);
+    const bondedClump clump("fit", dict);
     if (unstable)
     {
         *unstable = 0;
     }
+    if (clump.type.hasSurface())
+    {
+        return ofNodes(clump.type, dict, forces);
+    }
 
+    List<scalarField> result(2, scalarField(forces.size(), GREAT));
+    const equilibrium solver;
+    clumpState s(clump.type);
     forAll(forces, k)
     {
-        const auto ext
-        (
-            equilibrium::stretch(type, vector(forces[k], 0, 0))
-        );
-        if (!solver.find(bonds, ext, s))
+        const auto ext(pull(clump.type, forces[k]));
+        if (!solver.find(clump.bonds, ext, s))
         {
-            s = clumpState(type);
+            s = clumpState(clump.type);
             continue;
         }
 
-        const vector directions[2] = {vector(1, 0, 0), vector(0, 1, 0)};
+        const Pair<scalar> lengths(extents(clump.type, s.x));
         for (label q = 0; q < 2; ++q)
         {
-            result[q][k] =
-                clumpExtent::along(directions[q], s.x, type.radii(), reading_);
+            result[q][k] = lengths[q];
         }
 
         if (unstable)
         {
             // Zero within the error of the differences: the rigid motions
-            const scalarField k(equilibrium::spectrum(bonds, ext, s));
+            const scalarField k(equilibrium::spectrum(clump.bonds, ext, s));
             *unstable += k[0] < -1e-7*k.last();
         }
     }
@@ -65,11 +94,11 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
 
 Foam::dictionary Foam::mechanicalTests::stretching::loads
 (
-    const clumpBonds& bonds,
+    const dictionary& dict,
     const scalar force
 ) const
 {
     dictionary result;
-    result.set("stretch", oppositeForces(bonds.type(), force));
+    result.set("stretch", oppositeForces(clumpType("fit", dict), force));
     return result;
 }

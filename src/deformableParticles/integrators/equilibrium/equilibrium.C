@@ -5,6 +5,7 @@
 
 #include "equilibrium.H"
 #include "newtonMinimiser.H"
+#include "SortableList.H"
 
 Foam::equilibrium::equilibrium
 (
@@ -103,7 +104,8 @@ Foam::scalarField Foam::equilibrium::spectrum
 Foam::externalForces Foam::equilibrium::stretch
 (
     const clumpType& type,
-    const vector& F
+    const vector& F,
+    const scalar part
 )
 {
     externalForces ext(type.size());
@@ -117,10 +119,13 @@ Foam::externalForces Foam::equilibrium::stretch
 
     for (const scalar sign : {1.0, -1.0})
     {
+        SortableList<scalar> outwards(sign*along);
+        outwards.reverseSort();
+        const label last = max(label(part*type.size() + 0.5), label(1)) - 1;
         labelList ends;
         forAll(along, i)
         {
-            if (sign*along[i] > (1 - 1e-6)*max(sign*along))
+            if (sign*along[i] > outwards[last] - 1e-6*reach)
             {
                 ends.append(i);
             }

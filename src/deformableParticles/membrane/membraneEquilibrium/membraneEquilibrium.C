@@ -25,7 +25,9 @@ bool Foam::membraneEquilibrium::find
 {
     const clumpType& type = mechanics_.type();
     const scalar R = type.halfWidth();
-    const scalar k = 1e-5*mechanics_.shearStiffness()/(x.size()*sqr(R));
+    const scalar stiffness = mechanics_.shearStiffness()/(x.size()*sqr(R));
+    constexpr scalar least = 1e-5;
+    scalar part = 1000*least;
     membraneFactors factors(minimiser_.tangent());
 
     pointField last;
@@ -34,6 +36,7 @@ bool Foam::membraneEquilibrium::find
         const vectorField& y, vectorField& gradient, membraneTangent* tangent
     )
     {
+        const scalar k = part*stiffness;
         const vectorField moved(y - last);
         gradient = k*moved - forces;
         if (tangent)
@@ -48,14 +51,20 @@ bool Foam::membraneEquilibrium::find
           + mechanics_.add(y, gradient, tangent);
     };
 
-    for (label n = 0; n < 200; ++n)
+    for (label n = 0; n < 300 && part < 1e4; ++n)
     {
         last = x;
-        if (!minimiser_.minimise(potential, factors, x))
+        if (!minimiser_.minimise(potential, factors, x, 1e-2))
         {
-            return false;
+            x = last;
+            factors.forget();
+            part *= 10;
         }
-        if (max(mag(x - last)) < 1e-5*R)
+        else if (part > least)
+        {
+            part = max(least, 0.1*part);
+        }
+        else if (max(mag(x - last)) < 1e-5*R)
         {
             return true;
         }

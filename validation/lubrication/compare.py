@@ -81,17 +81,25 @@ axes[0].legend()
 
 runs = {}
 for row in read("pressed.csv"):
-    runs.setdefault((row["scene"], row["cutOff"]), []).append((row["time"], row["gap"]))
-for (scene, cut), points in runs.items():
+    key = row["body"], row["scene"], row["film"]
+    runs.setdefault(key, []).append((row["time"], row["gap"]))
+for (body, scene, film), points in runs.items():
     start, end = crossing(points, FROM), crossing(points, TO)
-    name = f"time from gap/a {FROM:g} to {TO:g}, {scene}"
+    name = f"time from gap/a {FROM:g} to {TO:g}, {body}, {scene}"
     spent = end - start if start and end else float("nan")
-    results.add(f"{name}, cut-off {cut:g} cells", spent, "s", time(scene, TO, FROM), "10%", SOURCE)
+    if film == "on":
+        results.add(name, spent, "s", time(scene, TO, FROM), "10%", SOURCE)
+    else:
+        results.report(f"{name}, without the film", spent, "s",
+                       f"exact {time(scene, TO, FROM):.3g}")
     axes[1].plot([1e3*t for t, _ in points], [max(g, 1e-3) for _, g in points],
-                 color=f"C{0 if scene == 'wall' else 1}", label=f"{scene}, under a constant force")
+                 {"sphere": "-", "capsule": "--"}[body] if film == "on" else ":",
+                 color=f"C{0 if scene == 'wall' else 1}",
+                 label=f"{body}, {scene}" + ("" if film == "on" else ", no film"))
 axes[1].set_yscale("log")
 axes[1].set_xlabel("time [ms]")
 axes[1].set_ylabel("gap/a")
+axes[1].set_title("under a constant force")
 axes[1].legend()
 save(figure, "lubrication.png")
 results.write()

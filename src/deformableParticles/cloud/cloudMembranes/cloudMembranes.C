@@ -58,7 +58,8 @@ void Foam::cloudMembranes::beginContacts
 (
     const Cloud<clumpParcel>& clumps,
     const ghostExchange& ghosts,
-    const vector& meshVelocity
+    const vector& meshVelocity,
+    const scalar mu
 )
 {
     contacts_.begin
@@ -66,7 +67,8 @@ void Foam::cloudMembranes::beginContacts
         ghosts,
         membraneContacts::narrowest(clumps, types_),
         mesh_.time().deltaTValue(),
-        meshVelocity
+        meshVelocity,
+        mu
     );
 }
 

@@ -36,17 +36,21 @@ void Foam::deformableCloud::immerse
         lookAhead();
     }
     updateGhosts();
+
+    const timeBreakdown::timer t(timing_, "solid fraction");
+    coupling_->setViscosity(nu);
     if (coupling_->surfaces() && moving)
     {
-        membranes_.beginContacts(*this, ghosts_, meshVelocity_);
+        membranes_.beginContacts
+        (
+            *this, ghosts_, meshVelocity_,
+            motion_.decisions().mayLubricate() ? coupling_->viscosity() : 0
+        );
     }
     else
     {
         membranes_.clearContacts();
     }
-
-    const timeBreakdown::timer t(timing_, "solid fraction");
-    coupling_->setViscosity(nu);
     coupling_->boundary().update(ghosts_.images(), nu);
     ghosts_.returnTensions();
     if (moving)

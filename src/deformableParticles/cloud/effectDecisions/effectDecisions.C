@@ -200,9 +200,15 @@ Foam::string Foam::effectDecisions::lubricationIdle() const
 }
 
 
+bool Foam::effectDecisions::mayLubricate() const
+{
+    return !effects_.switchedOff("lubrication") && lubricationIdle().empty();
+}
+
+
 Foam::scalar Foam::effectDecisions::gapRange() const
 {
-    if (effects_.switchedOff("lubrication") || lubricationIdle().size())
+    if (!mayLubricate())
     {
         return 0;
     }
@@ -218,7 +224,9 @@ Foam::scalar Foam::effectDecisions::gapRange() const
 void Foam::effectDecisions::decideLubrication()
 {
     const bool contact = effects_.active("contact");
-    const bool near = contact || effects_.active("walls");
+    const bool near =
+        contact || effects_.active("walls")
+     || surfaceImmersion::wanted(clumps_.types());
     const string reason(lubricationIdle());
     effects_.decide
     (
@@ -226,7 +234,8 @@ void Foam::effectDecisions::decideLubrication()
         reason.empty() && near,
         reason.size() ? reason
       : contact ? string("clumps are near")
-      : near ? string("walls are near")
+      : effects_.active("walls") ? string("walls are near")
+      : near ? string("membranes are present")
       : string("nothing is near")
     );
     gaps_.setActive(effects_.active("lubrication"));

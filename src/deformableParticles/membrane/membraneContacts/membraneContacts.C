@@ -16,7 +16,7 @@ using namespace Foam;
 dictionary entriesOf(const dictionary& dict)
 {
     const dictionary result(dict.subOrEmptyDict("membraneContact"));
-    checkEntries(result, {"range", "stress"});
+    checkEntries(result, {"range", "stress", "filmCutOff"});
     return result;
 }
 
@@ -59,6 +59,8 @@ nodeContact contactOf
     c.weights[0] = 1;
     c.normal = normal;
     c.gap = gap;
+    c.start = gap;
+    c.radius = 0;
     c.area = area;
     c.moves = moves;
     return c;
@@ -93,6 +95,7 @@ Foam::membraneContacts::membraneContacts
 :
     types_(types),
     cells_(getBetweenOrDefault(entriesOf(dict), "range", scalar(defaultRange), 0.05, 2)),
+    cutOff_(getPositiveOrDefault(entriesOf(dict), "filmCutOff", 2.25)),
     stress_(givenStress(entriesOf(dict))),
     range_(0),
     dt_(0),
@@ -208,16 +211,46 @@ void Foam::membraneContacts::refuseOverlaps
 }
 
 
-Foam::membraneContacts::response Foam::membraneContacts::law
+Foam::membraneFilm::response Foam::membraneContacts::law
 (
+    const nodeContact& c,
     const scalar gap
 ) const
 {
     const scalar s = max(1 - gap/range_, scalar(0));
+    const auto film = film_.step(gap, c.start, c.radius);
     return
     {
-        stress_*range_/3*pow3(s), stress_*sqr(s), 2*stress_/range_*s
+        stress_*range_/3*pow3(s) + film.w,
+        stress_*sqr(s) + film.p,
+        2*stress_/range_*s + film.k
     };
+}
+
+
+Foam::scalar Foam::membraneContacts::radius
+(
+    const clumpType& a,
+    const clumpType& b
+) const
+{
+    const auto of = [](const clumpType& type)
+    {
+        return type.hasSurface() ? type.halfWidth() : max(type.radii());
+    };
+    return 1/(1/of(a) + 1/of(b));
+}
+
+
+void Foam::membraneContacts::addFilm
+(
+    nodeContact& c,
+    const scalar radius,
+    const scalar opened
+) const
+{
+    c.radius = radius;
+    c.start = c.gap - opened;
 }
 
 
@@ -226,10 +259,19 @@ void Foam::membraneContacts::begin
     const ghostExchange& ghosts,
     const scalar width,
     const scalar dt,
-    const vector& meshVelocity
+    const vector& meshVelocity,
+    const scalar mu
 )
 {
     range_ = cells_*width;
+    scalar largest = GREAT;
+    for (const clumpType& type : types_)
+    {
+        largest = min(largest, type.hasSurface() ? type.halfWidth() : GREAT);
+    }
+    film_ = mu > 0
+      ? membraneFilm(min(cutOff_*width, largest), 0.1*width, mu, dt)
+      : membraneFilm();
     dt_ = dt;
     meshVelocity_ = meshVelocity;
     const UList<clumpImage>& images = ghosts.images();
@@ -298,11 +340,11 @@ void Foam::membraneContacts::findNodes
     const body& to = bodies_[triangles];
     const clumpType& type = typeOf(ghosts.images()[triangles]);
 
-    const boundBox reach(grown(to.box, range_));
+    const boundBox around(grown(to.box, reach()));
     DynamicList<label> near;
     forAll(from.x, i)
     {
-        if (reach.contains(from.x[i]))
+        if (around.contains(from.x[i]))
         {
             near.append(i);
         }
@@ -316,12 +358,12 @@ void Foam::membraneContacts::findNodes
     const pointField x(from.x, near);
     const auto places = distance(ghosts, triangles).nearest
     (
-        x, max(range_, type.halfWidth())
+        x, max(reach(), type.halfWidth())
     );
     forAll(near, k)
     {
         const auto& p = places[k];
-        if (!p.found || p.distance >= range_)
+        if (!p.found || p.distance >= reach())
         {
             continue;
         }
@@ -332,9 +374,24 @@ void Foam::membraneContacts::findNodes
                 near[k], p.outwards, p.distance, 0.5*from.areas[near[k]], 2
             )
         );
+        const triFace& t = type.surface().triangles()[p.triangle];
+        if (film_.range() > 0)
+        {
+            const vector w(coordinatesOf(t, to.x, p.at));
+            const vector other
+            (
+                w[0]*to.moved[t[0]] + w[1]*to.moved[t[1]] + w[2]*to.moved[t[2]]
+            );
+            addFilm
+            (
+                c,
+                radius(typeOf(ghosts.images()[nodes]), type),
+                p.outwards & (from.moved[near[k]] - other)
+            );
+        }
         if (!ofNodes)
         {
-            setTriangle(c, type.surface().triangles()[p.triangle], to.x, p.at);
+            setTriangle(c, t, to.x, p.at);
         }
         contacts.append(c);
     }
@@ -390,14 +447,16 @@ void Foam::membraneContacts::findSpheres
     const clumpType& type = typeOf(ghosts.images()[spheres]);
     const scalarField& r = type.radii();
 
-    const boundBox reach(grown(others.box, max(r) + range_));
+    const scalar film =
+        film_.range() > 0 ? radius(typeOf(ghosts.images()[membrane]), type) : 0;
+    const boundBox around(grown(others.box, max(r) + reach()));
     forAll(nodes.x, i)
     {
-        if (!reach.contains(nodes.x[i]))
+        if (!around.contains(nodes.x[i]))
         {
             continue;
         }
-        scalar gap = range_;
+        scalar gap = reach();
         label at = -1;
         forAll(others.x, j)
         {
@@ -419,6 +478,11 @@ void Foam::membraneContacts::findSpheres
                     type.fixed() ? 1 : 2
                 )
             );
+            nodeContact& c = contacts.last();
+            if (film > 0)
+            {
+                addFilm(c, film, c.normal & (nodes.moved[i] - others.moved[at]));
+            }
             nearest.append(at);
         }
     }
@@ -428,12 +492,13 @@ void Foam::membraneContacts::findSpheres
 void Foam::membraneContacts::findWalls
 (
     const label a,
+    const scalar halfWidth,
     const wallSurface& walls,
     DynamicList<nodeContact>& contacts
 ) const
 {
     const body& nodes = bodies_[a];
-    if (walls.empty() || walls.near(grown(nodes.box, range_)).empty())
+    if (walls.empty() || walls.near(grown(nodes.box, reach())).empty())
     {
         return;
     }
@@ -443,11 +508,15 @@ void Foam::membraneContacts::findWalls
         vector away;
         if
         (
-            walls.nearest(nodes.x[i], 4*range_, height, away)
-         && height < range_
+            walls.nearest(nodes.x[i], max(4*range_, reach()), height, away)
+         && height < reach()
         )
         {
             contacts.append(contactOf(i, away, height, nodes.areas[i], 1));
+            if (film_.range() > 0)
+            {
+                addFilm(contacts.last(), halfWidth, away & nodes.moved[i]);
+            }
         }
     }
 }
@@ -482,13 +551,22 @@ void Foam::membraneContacts::find
         bodies_.set(a, new body);
         body& b = bodies_[a];
         b.x = imposed(ghosts, a);
+        if (film_.range() > 0)
+        {
+            b.moved =
+                scalar(!typeOf(images[a]).fixed())*dt_*images[a].u;
+        }
         b.box = boundBox(b.x, false);
         if (typeOf(images[a]).hasSurface())
         {
             b.areas = typeOf(images[a]).surface().nodeAreas(images[a].x);
             if (a < ghosts.nOwn() && walls)
             {
-                findWalls(a, *walls, own[a].step().nodes.contacts);
+                findWalls
+                (
+                    a, typeOf(images[a]).halfWidth(), *walls,
+                    own[a].step().nodes.contacts
+                );
             }
             if (a < ghosts.nOwn() && betweenClumps)
             {
@@ -502,7 +580,7 @@ void Foam::membraneContacts::find
     }
     sphereGrid::forEachNear
     (
-        images, ghosts.nOwn(), scalarField(ghosts.nOwn(), 4*range_),
+        images, ghosts.nOwn(), scalarField(ghosts.nOwn(), max(4*range_, reach())),
         [&](const label a, const label b)
         {
             const bool membrane = typeOf(images[a]).hasSurface();
@@ -546,7 +624,7 @@ void Foam::membraneContacts::addToSpheres
     {
         // Linear in the displacement from where the sphere was imposed
         const nodeContact& c = contacts[k];
-        const response w(law(c.gap));
+        const auto w(law(c, c.gap));
         const label j = nearest[k];
         const symmTensor K(c.moves*c.area*w.k*sqr(c.normal));
         ext.k[j] += K;
@@ -564,7 +642,7 @@ void Foam::membraneContacts::addForces
 {
     for (const nodeContact& c : contacts)
     {
-        const vector f(c.area*law(c.gap).p*c.normal);
+        const vector f(c.area*law(c, c.gap).p*c.normal);
         for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
         {
             F[c.nodes[n]] += c.weights[n]*f;
@@ -589,7 +667,7 @@ Foam::scalar Foam::membraneContacts::add
         {
             opened += c.weights[n]*(c.normal & d[c.nodes[n]]);
         }
-        const response w(law(c.gap + c.moves*opened));
+        const auto w(law(c, c.gap + c.moves*opened));
         potential += c.area/c.moves*w.w;
 
         const Eigen::Vector3d normal(c.normal.x(), c.normal.y(), c.normal.z());

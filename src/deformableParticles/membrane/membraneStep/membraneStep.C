@@ -155,7 +155,7 @@ Foam::symmTensorField Foam::membraneStep::resistances
     for (const nodeContact& c : flow.contacts)
     {
         const bool atRest = c.moves < 2;
-        if (atRest)
+        if (atRest && contacts_.repels(c))
         {
             const scalar h = max(c.gap, contacts_.resolution());
             result[c.nodes[0]] += atWalls*mu*c.area/h*sqr(c.normal);

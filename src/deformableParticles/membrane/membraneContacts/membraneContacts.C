@@ -95,7 +95,7 @@ Foam::membraneContacts::membraneContacts
 :
     types_(types),
     cells_(getBetweenOrDefault(entriesOf(dict), "range", scalar(defaultRange), 0.05, 2)),
-    cutOff_(getPositiveOrDefault(entriesOf(dict), "filmCutOff", 2.25)),
+    cutOff_(getPositiveOrDefault(entriesOf(dict), "filmCutOff", 2)),
     stress_(givenStress(entriesOf(dict))),
     range_(0),
     dt_(0),

@@ -146,11 +146,11 @@ TEST_CASE("springNetwork: as a continuum of the same moduli on an uneven surface
 }
 
 
-TEST_CASE("springNetwork: a largest stretch of one or less is refused",
+TEST_CASE("springNetwork: a largest stretch near one is refused",
     "[membrane][serial]")
 {
     CHECK_THROWS
     (
-        testMembrane("a { type springNetwork; shearModulus 2; largestStretch 1; }")
+        testMembrane("a { type springNetwork; shearModulus 2; largestStretch 1.05; }")
     );
 }

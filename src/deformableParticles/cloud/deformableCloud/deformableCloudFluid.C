@@ -35,6 +35,10 @@ void Foam::deformableCloud::immerse
     {
         lookAhead();
     }
+    ghosts_.setRange
+    (
+        motion_.decisions().mayLubricate() ? membranes_.contacts().filmLimit() : 0
+    );
     updateGhosts();
 
     const timeBreakdown::timer t(timing_, "solid fraction");

@@ -345,7 +345,7 @@ void Foam::ghostExchange::updateNeighbours()
     scalar reach = 0;
     for (const clumpImage& image : images_)
     {
-        reach = max(reach, image.reach);
+        reach = max(reach, image.reach + range_);
     }
     const bool larger = reach > reaches_[Pstream::myProcNo()];
     if (returnReduce(larger, orOp<bool>()))

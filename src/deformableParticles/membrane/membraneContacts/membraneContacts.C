@@ -95,7 +95,7 @@ Foam::membraneContacts::membraneContacts
 :
     types_(types),
     cells_(getBetweenOrDefault(entriesOf(dict), "range", scalar(defaultRange), 0.05, 2)),
-    cutOff_(getPositiveOrDefault(entriesOf(dict), "filmCutOff", 2)),
+    cutOff_(getBetweenOrDefault(entriesOf(dict), "filmCutOff", 2, 0.2, 5)),
     stress_(givenStress(entriesOf(dict))),
     range_(0),
     dt_(0),
@@ -228,29 +228,37 @@ Foam::membraneFilm::response Foam::membraneContacts::law
 }
 
 
-Foam::scalar Foam::membraneContacts::radius
-(
-    const clumpType& a,
-    const clumpType& b
-) const
-{
-    const auto of = [](const clumpType& type)
-    {
-        return type.hasSurface() ? type.halfWidth() : max(type.radii());
-    };
-    return 1/(1/of(a) + 1/of(b));
-}
-
-
 void Foam::membraneContacts::addFilm
 (
     nodeContact& c,
-    const scalar radius,
-    const scalar opened
+    const body& nodes,
+    const scalar ofNodes,
+    const scalar ofOther,
+    const vector& moved
 ) const
 {
-    c.radius = radius;
-    c.start = c.gap - opened;
+    const label i = c.nodes[0];
+    if ((nodes.outwards[i] & c.normal) < 0)
+    {
+        // Where the nearest point jumps along an edge, the gap was not one before
+        const scalar opened = c.normal & (nodes.moved[i] - moved);
+        c.start = max(c.gap - opened, min(c.gap, scalar(0)));
+        c.radius = 1/(1/ofNodes + 1/ofOther);
+    }
+}
+
+
+Foam::scalar Foam::membraneContacts::filmLimit() const
+{
+    scalar smallest = GREAT;
+    for (const clumpType& type : types_)
+    {
+        if (type.hasSurface())
+        {
+            smallest = min(smallest, type.halfWidth());
+        }
+    }
+    return smallest < GREAT ? smallest : 0;
 }
 
 
@@ -264,13 +272,8 @@ void Foam::membraneContacts::begin
 )
 {
     range_ = cells_*width;
-    scalar largest = GREAT;
-    for (const clumpType& type : types_)
-    {
-        largest = min(largest, type.hasSurface() ? type.halfWidth() : GREAT);
-    }
     film_ = mu > 0
-      ? membraneFilm(min(cutOff_*width, largest), 0.1*width, mu, dt)
+      ? membraneFilm(min(cutOff_*width, filmLimit()), 0.1*width, mu, dt)
       : membraneFilm();
     dt_ = dt;
     meshVelocity_ = meshVelocity;
@@ -378,15 +381,11 @@ void Foam::membraneContacts::findNodes
         if (film_.range() > 0)
         {
             const vector w(coordinatesOf(t, to.x, p.at));
-            const vector other
-            (
-                w[0]*to.moved[t[0]] + w[1]*to.moved[t[1]] + w[2]*to.moved[t[2]]
-            );
             addFilm
             (
-                c,
-                radius(typeOf(ghosts.images()[nodes]), type),
-                p.outwards & (from.moved[near[k]] - other)
+                c, from,
+                typeOf(ghosts.images()[nodes]).halfWidth(), type.halfWidth(),
+                w[0]*to.moved[t[0]] + w[1]*to.moved[t[1]] + w[2]*to.moved[t[2]]
             );
         }
         if (!ofNodes)
@@ -447,8 +446,7 @@ void Foam::membraneContacts::findSpheres
     const clumpType& type = typeOf(ghosts.images()[spheres]);
     const scalarField& r = type.radii();
 
-    const scalar film =
-        film_.range() > 0 ? radius(typeOf(ghosts.images()[membrane]), type) : 0;
+    const scalar halfWidth = typeOf(ghosts.images()[membrane]).halfWidth();
     const boundBox around(grown(others.box, max(r) + reach()));
     forAll(nodes.x, i)
     {
@@ -478,10 +476,12 @@ void Foam::membraneContacts::findSpheres
                     type.fixed() ? 1 : 2
                 )
             );
-            nodeContact& c = contacts.last();
-            if (film > 0)
+            if (film_.range() > 0)
             {
-                addFilm(c, film, c.normal & (nodes.moved[i] - others.moved[at]));
+                addFilm
+                (
+                    contacts.last(), nodes, halfWidth, r[at], others.moved[at]
+                );
             }
             nearest.append(at);
         }
@@ -515,7 +515,7 @@ void Foam::membraneContacts::findWalls
             contacts.append(contactOf(i, away, height, nodes.areas[i], 1));
             if (film_.range() > 0)
             {
-                addFilm(contacts.last(), halfWidth, away & nodes.moved[i]);
+                addFilm(contacts.last(), nodes, halfWidth, GREAT, vector::zero);
             }
         }
     }
@@ -553,8 +553,12 @@ void Foam::membraneContacts::find
         b.x = imposed(ghosts, a);
         if (film_.range() > 0)
         {
-            b.moved =
-                scalar(!typeOf(images[a]).fixed())*dt_*images[a].u;
+            const clumpType& type = typeOf(images[a]);
+            b.moved = scalar(!type.fixed())*dt_*images[a].u;
+            if (type.hasSurface())
+            {
+                b.outwards = type.surface().areaVectors(b.x);
+            }
         }
         b.box = boundBox(b.x, false);
         if (typeOf(images[a]).hasSurface())

@@ -14,7 +14,14 @@ Foam::membraneEquilibrium::membraneEquilibrium
 :
     mechanics_(type, dict),
     minimiser_(type, mechanics_.rings())
-{}
+{
+    if (mechanics_.shearStiffness() <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'membrane' has no model that resists shear, such as skalak:"
+            << " there is no equilibrium under forces." << exit(FatalIOError);
+    }
+}
 
 
 bool Foam::membraneEquilibrium::find

@@ -44,10 +44,10 @@ Foam::membraneModels::springNetwork::springNetwork
     energies_(surface.hinges().size())
 {
     checkEntries(dict, {"type", "shearModulus", "largestStretch"});
-    if (largest_ <= 1)
+    if (largest_ < 1.1)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'largestStretch' must be above 1, the stretch at rest: "
+            << "Entry 'largestStretch' must be at least 1.1 (1 is the stretch at rest): "
             << largest_ << exit(FatalIOError);
     }
     const scalar y = 1/largest_;

@@ -51,7 +51,7 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
         }
     }
     findContacts(dt);
-    contacting_.addTouching(together);
+    contacting_.addTouching(together, contacting_.touched());
 
     label index = 0;
     {
@@ -66,9 +66,9 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
     }
 
     // And those that do on their way
-    for (bool solved = false; true; )
+    for (bool solved = false; !solved || !contacting_.complete; )
     {
-        contacting_.addTouching(together);
+        contacting_.addTouching(together, true);
         bool strayed = false;
         if (contacting_.mustSolve(solved, strayed))
         {

@@ -52,33 +52,54 @@ void Foam::contactStep::addMember(const label a)
 }
 
 
-void Foam::contactStep::addTouching(UList<bool>& together)
+Foam::scalar Foam::contactStep::clearance(const label a) const
+{
+    scalar result = GREAT;
+    const label end = type(a).fixed() ? begins_[a] : begins_[a + 1];
+    for (label k = begins_[a]; k < end && result >= 0; ++k)
+    {
+        const touch& t = touches_[k];
+        const vector dx(displacement(t));
+        const scalar gap =
+            t.b < 0
+          ? min(min(t.wallNormal & dx, fromWall(t, dx)), scalar(0)) - t.radii
+          : leastDistance(before(t), dx) - t.radii;
+        result = min(result, gap - t.range);
+    }
+    return result;
+}
+
+
+void Foam::contactStep::addTouching(UList<bool>& together, const bool andNear)
 {
     move(true);
 
     for (label a = 0; a < clumps_.size(); ++a)
     {
-        if (isMember_[a] || type(a).fixed())
+        if (!isMember_[a])
         {
-            continue;
-        }
-        for (label k = begins_[a]; k < begins_[a + 1] && !together[a]; ++k)
-        {
-            const touch& t = touches_[k];
-            const vector dx(displacement(t));
-            const scalar gap =
-                t.b < 0
-              ? min(min(t.wallNormal & dx, fromWall(t, dx)), scalar(0))
-              - t.radii
-              : leastDistance(before(t), dx) - t.radii;
-            together[a] = gap < t.range;
-        }
-        if (together[a])
-        {
-            addMember(a);
-            hasNewMembers_ = true;
+            const scalar least = together[a] ? -GREAT : clearance(a);
+            together[a] = least < (andNear ? slacks_[a] : 0);
+            if (together[a])
+            {
+                addMember(a);
+            }
+            hasNewMembers_ = hasNewMembers_ || least < 0;
         }
     }
+}
+
+
+bool Foam::contactStep::incomplete() const
+{
+    forAll(slacks_, a)
+    {
+        if (deviation(a) > slacks_[a] || (!isMember_[a] && clearance(a) < 0))
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -115,7 +136,7 @@ bool Foam::contactStep::mustSolve(const bool solved, bool& strayed)
 
         strayed = any.y() > 0;
         touched_ = any.x() > 0 || touched_;
-        if (any.x() <= 0)
+        if (strayed || any.x() <= 0)
         {
             return false;
         }
@@ -161,8 +182,12 @@ void Foam::contactStep::addReceived()
 {
     forAll(members_, m)
     {
+        // Those that only came near were not solved for where none touched
         externalForces& forces = clumps_[clumpOf_[m]].step().forces;
-        forces.f += members_[m].received;
+        if (members_[m].received.size())
+        {
+            forces.f += members_[m].received;
+        }
         if (members_[m].receivedTorques.size())
         {
             forces.t += members_[m].receivedTorques;

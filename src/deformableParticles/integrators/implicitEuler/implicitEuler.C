@@ -126,6 +126,7 @@ Foam::label Foam::integrators::implicitEuler::advance
         }
         converged = newton.minimise(reduction);
     }
+    group.complete = newton.complete();
     if (exact && !converged && newton.lastStep() > harmless && Pstream::master())
     {
         WarningInFunction

@@ -77,6 +77,7 @@ Foam::jointMinimiser::jointMinimiser
 void Foam::jointMinimiser::evaluate()
 {
     group_.evaluate();
+    here_[lacking] = group_.incomplete();
 
     for (const label i : {ofPotentials, ofMagnitudes, ofGradients, slope})
     {

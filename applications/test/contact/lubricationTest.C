@@ -15,7 +15,10 @@ namespace
 const scalar r = 1.2e-6;
 const scalar rho = 1025;        // of the box
 const scalar nu = 1.171e-6;
-const scalar limit = 0.8e-6;    // cut-off in mesh cells of 1 um
+
+// Cut-offs in mesh cells of 1 um
+const scalar ofTwo = 0.85e-6;
+const scalar ofWall = 1.3e-6;
 
 //- Clumps in a fluid that moves with them
 struct wetCloud
@@ -30,7 +33,7 @@ struct wetCloud
         const scalar dt,
         const string& clumps,
         const string& more = "",
-        const string& lubrication = "cutOff 0.8; roughness 1e-8;"
+        const string& lubrication = "roughness 1e-8;"
     )
     :
         dryCloud
@@ -115,11 +118,20 @@ struct wetCloud
 };
 
 //- The impulse of a gap that changes from g0 to g1
-scalar impulse(const scalar R, const scalar g0, const scalar g1)
+scalar impulse
+(
+    const scalar R,
+    const scalar g0,
+    const scalar g1,
+    const scalar limit = ofTwo
+)
 {
     return
         6*constant::mathematical::pi*rho*nu*sqr(R)
-       *(Foam::log(g0/g1) - (g0 - g1)/limit);
+       *(
+            Foam::log(g0/g1)
+          - 2*(Foam::sqrt(g0/limit) - Foam::sqrt(g1/limit))
+        );
 }
 
 }
@@ -155,7 +167,7 @@ TEST_CASE("lubrication: two spheres and a sphere at a wall", "[lubrication]")
     CHECK((f[1] & away) == Approx(impulse(0.5*r, g0, h)/dt).epsilon(1e-6));
     CHECK(mag(f[1] - (f[1] & away)*away) < 1e-6*mag(f[1]));
     CHECK(f[2].x() == Approx(impulse(0.5*r, g0, across)/dt).epsilon(1e-6));
-    CHECK(f[4].y() == Approx(impulse(r, g0, w)/dt).epsilon(1e-6));
+    CHECK(f[4].y() == Approx(impulse(r, g0, w, ofWall)/dt).epsilon(1e-6));
     CHECK(mag(f[0] + f[1]) < 1e-12*mag(f[1]));
     CHECK(mag(f[2] + f[3]) < 1e-12*mag(f[2]));
     CHECK(mag(f[5]) == 0);
@@ -272,7 +284,7 @@ TEST_CASE("lubrication: what it needs", "[lubrication]")
             1e-5, pair, "integrator { type velocityVerlet; stepFraction 0.1; }"
         )
     );
-    CHECK_THROWS(wetCloud(1e-5, pair, "", "cutOff 0.8; roughness 0;"));
-    CHECK_THROWS(wetCloud(1e-5, pair, "", "cutoff 0.8; roughness 1e-8;"));
+    CHECK_THROWS(wetCloud(1e-5, pair, "", "roughness 0;"));
+    CHECK_THROWS(wetCloud(1e-5, pair, "", "cut 0.8; roughness 1e-8;"));
     CHECK_THROWS(wetCloud(1e-5, pair, "lubrication { type film; }"));
 }

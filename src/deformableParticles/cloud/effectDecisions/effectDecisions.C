@@ -217,7 +217,7 @@ Foam::scalar Foam::effectDecisions::gapRange() const
     {
         width = max(width, Foam::cbrt(clumps_.mesh().V()[p.cell()]));
     }
-    return gaps_.model()->range(returnReduce(width, maxOp<scalar>()));
+    return gaps_.model()->range(returnReduce(width, maxOp<scalar>()), true);
 }
 
 

@@ -163,7 +163,7 @@ void Foam::contactStep::evaluate(touch& t) const
     {
         const contactModel::increment w = gaps_.step
         (
-            -t.d, -t.first, dt_, t.gapR, t.cellWidth
+            -t.d, -t.first, dt_, t.gapR, t.cellWidth, t.b < 0
         );
         t.w.energy += t.gapShare*w.energy;
         t.w.force += t.gapShare*w.force;

@@ -142,7 +142,7 @@ void Foam::contactStep::findWalls(const label a)
     }
     const scalar width =
         max(type(a).radii()) + span_*max(mag(p.state().u)) + slacks_[a]
-      + gaps_.range(cellWidths_[a]);
+      + gaps_.range(cellWidths_[a], true);
     wallsNear_[a] =
         walls_.surface().near(grown(boundBox(p.centres(), false), width));
 }
@@ -162,7 +162,7 @@ void Foam::contactStep::setCellWidths()
         cellWidths_[a] = Foam::cbrt(mesh_.cellVolumes()[clumps_[a].cell()]);
         widest = max(widest, cellWidths_[a]);
     }
-    range_ = gaps_.range(returnReduce(widest, maxOp<scalar>()));
+    range_ = gaps_.range(returnReduce(widest, maxOp<scalar>()), false);
 }
 
 
@@ -180,7 +180,7 @@ void Foam::contactStep::setRanges()
         {
             const scalar own = cellWidths_[t.a];
             t.cellWidth = t.b < 0 ? own : 0.5*(own + cellWidths_[t.slot]);
-            t.range = gaps_.range(t.cellWidth);
+            t.range = gaps_.range(t.cellWidth, t.b < 0);
         }
     }
 }
@@ -393,7 +393,7 @@ void Foam::contactStep::findFilms(const label a)
     const clumpParcel& p = clumps_[a];
     const scalarField& r = type(a).radii();
     const pointField x(p.centres());
-    const scalar range = gaps_.range(cellWidths_[a]);
+    const scalar range = gaps_.range(cellWidths_[a], true);
     const scalar reach = range + span_*max(mag(p.state().u)) + slacks_[a];
 
     for

@@ -18,10 +18,9 @@ namespace gapModels
 
 Foam::gapModels::squeezeFilm::squeezeFilm(const dictionary& dict)
 :
-    cutOff_(getPositiveOrDefault(dict, "cutOff", 0.6)),
     roughness_(dict.found("roughness") ? getPositive(dict, "roughness") : 0)
 {
-    checkEntries(dict, {"type", "cutOff", "roughness"});
+    checkEntries(withoutRemoved(dict, {"cutOff"}), {"type", "roughness"});
 }
 
 
@@ -30,15 +29,15 @@ Foam::string Foam::gapModels::squeezeFilm::idleReason
     const scalar cellWidth
 ) const
 {
-    if (roughness_ < range(cellWidth))
+    const scalar limit = range(cellWidth, true);
+    if (roughness_ < limit)
     {
         return "";
     }
     OStringStream os;
     os  << "Entry 'roughness' is " << roughness_ << " m, but the film acts below the"
-        << " gap " << range(cellWidth) << " m (cutOff " << cutOff_
-        << " of the width of the mesh cells) and above the roughness only. Reduce the"
-        << " roughness; tens of nanometres are usual.";
+        << " gap " << limit << " m (" << ofWall << " widths of the mesh cells) and above"
+        << " the roughness only. Reduce the roughness; tens of nanometres are usual.";
     return os.str();
 }
 
@@ -50,9 +49,9 @@ Foam::scalar Foam::gapModels::squeezeFilm::resistance
     const medium& between
 ) const
 {
-    const scalar limit = range(between.cellWidth);
+    const scalar limit = range(between.cellWidth, between.atWall);
     const scalar g = min(max(gap, roughness(R)), limit);
-    return factor(R, between)*(1/g - 1/limit);
+    return factor(R, between)*(1 - Foam::sqrt(g/limit))/g;
 }
 
 
@@ -84,7 +83,7 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
     const medium& between
 ) const
 {
-    const scalar limit = range(between.cellWidth);
+    const scalar limit = range(between.cellWidth, between.atWall);
     const scalar rough = min(roughness(R), limit);
     const scalar K = factor(R, between);
 
@@ -97,7 +96,7 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
         W += C*d;
         if (middle < rough)
         {
-            const scalar c = K*(1/rough - 1/limit);
+            const scalar c = K*(1 - Foam::sqrt(rough/limit))/rough;
             C += c*d;
             W += 0.5*c*sqr(d);
         }
@@ -105,8 +104,9 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
         {
             const scalar s = d/from;
             const scalar log = std::log1p(s);
-            C += K*(log - d/limit);
-            W += K*(from*((1 + s)*log - s) - 0.5*sqr(d)/limit);
+            const scalar a = Foam::sqrt(from/limit), b = Foam::sqrt(to/limit);
+            C += K*(log - 2*(b - a));
+            W += K*(from*((1 + s)*log - s) - 2*limit*sqr(b - a)*(2*b + a)/3);
         }
         from = to;
     };

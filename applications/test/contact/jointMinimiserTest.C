@@ -58,3 +58,35 @@ TEST_CASE("joint minimiser: a pair that takes long costs the others nothing", "[
     INFO(ofLight << " and " << ofHard << " solutions alone, " << together << " together");
     CHECK(together <= ofLight + ofHard + 4);
 }
+
+
+TEST_CASE("joint minimiser: those that will touch take part at once", "[contact]")
+{
+    // The first of a row of spheres pushes them together, one after the other
+    const scalar r = 0.5e-6, dt = 1e-4, u = 0.5*r/dt;
+    const label n = 8;
+    const auto pushed = [&](const scalar gap)
+    {
+        string row;
+        for (label k = 0; k < n; ++k)
+        {
+            const point p(4e-6 + (2*r + gap)*k, 10e-6, 10e-6);
+            row += at("sphere", p, vector(k ? 0 : u, 0, 0));
+        }
+        dryCloud t(dt, row, "reducedModulus 1000; restitution 0.5;");
+        const vector P(t.momentum());
+        t.step();
+        CHECK(mag(t.momentum() - P) < 1e-9*mag(P));
+        label number = 0;
+        for (const clumpParcel& p : *t.cloud)
+        {
+            number += p.state().u[0].x() > 1e-6*u;
+        }
+        INFO("gaps of " << gap/r << " radii");
+        CHECK(returnReduce(number, sumOp<label>()) == n);
+        return returnReduce(t.cloud->motion().nSolves(), sumOp<label>());
+    };
+    const label touching = pushed(0), near = pushed(0.005*r);
+    INFO(touching << " solutions where they touch, " << near << " with gaps");
+    CHECK(near <= touching);
+}

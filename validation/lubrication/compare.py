@@ -11,6 +11,7 @@ from results import Results, plt, read, save
 
 SOURCE = "Brenner 1961"
 CUT_OFF = {"wall": 1.3, "pair": 0.85}   # mesh cells, in squeezeFilm
+PLACE = "0.37 0.21 0.11"    # of most spheres, from a corner of a mesh cell, in mesh cells
 FROM, TO = 0.5, 0.05        # gaps over a between which a sphere is timed
 
 
@@ -58,6 +59,7 @@ def crossing(points, level):
 
 
 results = Results()
+errors = {"wall": [], "pair": []}
 figure, axes = plt.subplots(1, 2, figsize=(9, 4))
 for colour, scene in enumerate(("wall", "pair")):
     gaps = [0.04*1.06**k for k in range(60)]
@@ -67,12 +69,19 @@ for row in read("held.csv"):
     scene, gap, resolution = row["scene"], row["gap"], row["D_dx"]
     total = row["lambda"] + added(scene, gap, resolution)
     name = f"{scene} gap/a {gap:g} D/dx {resolution:g}"
+    if row["place_cells"] != PLACE:
+        name += f" at ({row['place_cells']})"
+    errors[scene].append(total/exact(scene, gap) - 1)
     results.report(f"drag without lubrication, {name}", row["lambda"], "6 pi mu a U",
                    f"exact {exact(scene, gap):.4g}")
     results.add(f"drag with it, {name}", total, "6 pi mu a U", exact(scene, gap), "17%", SOURCE)
     colour = 0 if scene == "wall" else 1
     axes[0].plot(gap, row["lambda"], "x", color=f"C{colour}")
     axes[0].plot(gap, total, "o" if resolution == 4 else "s", mfc="none", color=f"C{colour}")
+for scene, all_errors in errors.items():
+    results.report(f"error of the drag with it, {scene}, root mean square",
+                   100*(sum(e*e for e in all_errors)/len(all_errors))**0.5, "%",
+                   f"of {len(all_errors)} spheres")
 axes[0].set_xscale("log")
 axes[0].set_yscale("log")
 axes[0].set_xlabel("gap/a")

@@ -41,7 +41,7 @@ void Foam::clumpMotion::findContacts(const scalar dt)
 
 void Foam::clumpMotion::advanceTogether(const scalar dt)
 {
-    // Those that touch at the start or did so in the last outer corrector
+    // Those that touch, or come near, at the start or in the last outer corrector
     boolList together(clumps_.size(), false);
     for (clumpParcel& p : clumps_)
     {

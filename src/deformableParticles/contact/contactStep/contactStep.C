@@ -78,13 +78,13 @@ void Foam::contactStep::addTouching(UList<bool>& together, const bool andNear)
     {
         if (!isMember_[a])
         {
-            const scalar least = together[a] ? -GREAT : clearance(a);
-            together[a] = least < (andNear ? slacks_[a] : 0);
+            const scalar least = clearance(a);
+            hasNewMembers_ = hasNewMembers_ || least < 0;
+            together[a] = together[a] || least < (andNear ? margin(a) : 0);
             if (together[a])
             {
                 addMember(a);
             }
-            hasNewMembers_ = hasNewMembers_ || least < 0;
         }
     }
 }
@@ -110,7 +110,9 @@ Foam::scalar Foam::contactStep::deviation(const label a) const
     {
         const clumpState& start = clumps_[a].state();
         const clumpState& end = clumps_[a].step().end;
-        forAll(start.x, i)
+        // Those that wait for the others are still where the step began
+        const bool solved = end.x != start.x;
+        for (label i = 0; solved && i < start.x.size(); ++i)
         {
             result =
                 max(result, mag(end.x[i] - start.x[i] - span_*start.u[i]));

@@ -79,7 +79,7 @@ void Foam::contactStep::find
         slacks_.setSize(clumps_.size());
         forAll(slacks_, a)
         {
-            slacks_[a] = 0.1*min(type(a).radii());
+            slacks_[a] = margin(a);
         }
     }
     clearMembers();

@@ -105,8 +105,9 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
             const scalar s = d/from;
             const scalar log = std::log1p(s);
             const scalar a = Foam::sqrt(from/limit), b = Foam::sqrt(to/limit);
-            C += K*(log - 2*(b - a));
-            W += K*(from*((1 + s)*log - s) - 2*limit*sqr(b - a)*(2*b + a)/3);
+            const scalar ba = d/limit/(b + a);      // b - a
+            C += K*(log - 2*ba);
+            W += K*(from*((1 + s)*log - s) - 2*limit*sqr(ba)*(2*b + a)/3);
         }
         from = to;
     };

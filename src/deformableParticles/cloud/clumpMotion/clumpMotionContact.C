@@ -15,6 +15,8 @@ void Foam::clumpMotion::findContacts(const scalar dt)
     }
     if (atWalls)
     {
+        // A clump that has come to another processor needs the walls around it there
+        walls_.update(clumps_.ghosts());
         walls_.updateMotions(clumps_.ghosts());
     }
 

@@ -8,6 +8,23 @@
 
 using namespace Foam;
 
+namespace
+{
+
+//- n spheres along x, from x0 at this distance, of which the first has the velocity u
+string row(const label n, const scalar x0, const scalar distance, const scalar u)
+{
+    string result;
+    for (label k = 0; k < n; ++k)
+    {
+        const point p(x0 + k*distance, 10e-6, 10e-6);
+        result += at("sphere", p, vector(k ? 0 : u, 0, 0));
+    }
+    return result;
+}
+
+}
+
 
 TEST_CASE("joint minimiser: few iterations, however many clumps touch", "[contact]")
 {
@@ -67,13 +84,7 @@ TEST_CASE("joint minimiser: those that will touch take part at once", "[contact]
     const label n = 8;
     const auto pushed = [&](const scalar gap)
     {
-        string row;
-        for (label k = 0; k < n; ++k)
-        {
-            const point p(4e-6 + (2*r + gap)*k, 10e-6, 10e-6);
-            row += at("sphere", p, vector(k ? 0 : u, 0, 0));
-        }
-        dryCloud t(dt, row, "reducedModulus 1000; restitution 0.5;");
+        dryCloud t(dt, row(n, 4e-6, 2*r + gap, u), "reducedModulus 1000; restitution 0.5;");
         const vector P(t.momentum());
         t.step();
         CHECK(mag(t.momentum() - P) < 1e-9*mag(P));
@@ -98,13 +109,7 @@ TEST_CASE("joint minimiser: those that are pushed into others join later", "[con
     // the one behind it has moved
     const scalar r = 0.5e-6, dt = 1e-4, u = 0.9*r/dt, gap = 0.15*r;
     const label n = 3;
-    string row;
-    for (label k = 0; k < n; ++k)
-    {
-        const point p(8.5e-6 + (2*r + gap)*k, 10e-6, 10e-6);
-        row += at("sphere", p, vector(k ? 0 : u, 0, 0));
-    }
-    dryCloud t(dt, row, "reducedModulus 1000; restitution 0.5;");
+    dryCloud t(dt, row(n, 8.5e-6, 2*r + gap, u), "reducedModulus 1000; restitution 0.5;");
     const vector P(t.momentum());
     t.step();
     const vectorField x(t.centres());

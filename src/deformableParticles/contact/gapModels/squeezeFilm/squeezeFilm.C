@@ -96,7 +96,7 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
         W += C*d;
         if (middle < rough)
         {
-            const scalar c = K*(1 - Foam::sqrt(rough/limit))/rough;
+            const scalar c = resistance(rough, R, between);
             C += c*d;
             W += 0.5*c*sqr(d);
         }

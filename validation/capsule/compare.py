@@ -1,5 +1,6 @@
 """Deformation of a capsule in shear over time, against boundary integrals in the same box."""
 
+from math import log2
 from results import Results, plt, read, save
 
 LAWS = {"neoHookean": "NH", "skalak": "SK"}
@@ -66,13 +67,18 @@ for key, rows in runs.items():
     results.add(f"D farthest from the course, t = {worst['t']:g}, {name}", worst["D"], "-",
                 course[round(worst["t"], 3)]["D"], 0.01, SOURCE)
 
-# The error of the time step: against a quarter of it
+# The error of the time step, and its order: that of the differences between steps halved twice
 usual = "neoHookean", 0.15, 10
-if usual + (0.0125, 3, "threePoint", 1) in runs:
-    coarse = {r["t"]: r["D"] for r in runs[usual + (0.05, 3, "threePoint", 1)]}
-    for r in runs[usual + (0.0125, 3, "threePoint", 1)][-1:]:
-        results.add(f"D at t = {r['t']:g} with steps of 0.05 over that with 0.0125",
-                    coarse[r["t"]]/r["D"], "-", 1, 0.002, "the shorter step")
+steps = {step: {r["t"]: r["D"] for r in runs[usual + (step, 3, "threePoint", 1)]}
+         for step in (0.1, 0.05, 0.025, 0.0125) if usual + (step, 3, "threePoint", 1) in runs}
+if len(steps) == 4:
+    end = max(steps[0.0125])
+    D = {step: rows[end] for step, rows in steps.items()}
+    results.add(f"D at t = {end:g} with steps of 0.05 over that with 0.0125", D[0.05]/D[0.0125],
+                "-", 1, 0.002, "the shorter step")
+    for step in 0.1, 0.05:
+        results.report(f"order of the time step at {step:g}, {step/2:g} and {step/4:g}",
+                       log2(abs((D[step] - D[step/2])/(D[step/2] - D[step/4]))), "-", "BDF2: 2")
 
 # Extrapolated over the mesh in the second order
 for key, rows in runs.items():

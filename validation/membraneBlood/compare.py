@@ -30,8 +30,8 @@ for run in runs:
     results.report(f"{name}: processor time", 1e3*cost(run), "ms per cell and ms", "this machine")
     ring = [other for other in runs if (other["kind"], other["H"]) == ("ring", run["H"])]
     if ring and run["kind"] != "ring":
-        results.report(f"{name}: time of a membrane over a ring's", cost(run)/cost(ring[0]), "-",
-                       "the same box")
+        results.report(f"{name}: time over that of a ring of ten spheres",
+                       cost(run)/cost(ring[0]), "-", "the same box")
 
 # In a tube of 20 um at 30 %
 target = next(row for row in read(find("../bloodTube/reference/tube_targets_pries.csv"))

@@ -542,3 +542,10 @@ void Foam::ghostExchange::updateNodeForces()
 {
     copyToImages(&clumpImage::force);
 }
+
+
+void Foam::ghostExchange::sumInside()
+{
+    returnSums(&clumpImage::inside);
+    copyToImages(&clumpImage::inside);
+}

@@ -58,19 +58,27 @@ Foam::closedMomentum::closedMomentum
 
 void Foam::closedMomentum::correct()
 {
+    const scalar rho = cloud_.fluidDensity();
+    if (flow_.densityRatio())
+    {
+        cloud_.motion().addInside(rho*flow_.excessInertia());
+    }
     if (!flowIsClosed_ || someFixed(cloud_))
     {
         return;
     }
     volVectorField& U = flow_.U();
     const scalarField& V = U.mesh().V();
-    const scalar rho = cloud_.fluidDensity();
     const scalar dt = U.time().deltaTValue();
 
     const clumpMomentum& m = cloud_.motion().momentum();
     const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
     vector excess(rho*sum(V*change)/dt + m.rate - m.interior - m.applied);
     scalar mass = rho*sum(V) + excessMass(cloud_);
+    if (flow_.densityRatio())
+    {
+        mass += rho*cloud_.surfaces()->fluids().excessMass();
+    }
     reduce(excess, sumOp<vector>());
     reduce(mass, sumOp<scalar>());
 

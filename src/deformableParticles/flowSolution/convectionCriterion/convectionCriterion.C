@@ -30,7 +30,7 @@ Foam::convectionCriterion::convectionCriterion
 void Foam::convectionCriterion::decide
 (
     const volVectorField& U,
-    const volScalarField& nu
+    const scalar leastNu
 ) const
 {
     const timeBreakdown::timer t(timing_, "checks");
@@ -40,8 +40,7 @@ void Foam::convectionCriterion::decide
     }
     else if (effects_.automatic("convection"))
     {
-        const scalar Re =
-            gMax(mag(U.primitiveField()))*size_/gMin(nu.primitiveField());
+        const scalar Re = gMax(mag(U.primitiveField()))*size_/leastNu;
         const bool convects = Re > 0.05;
 
         OStringStream reason;

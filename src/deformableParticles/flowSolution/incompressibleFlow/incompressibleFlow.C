@@ -15,8 +15,8 @@
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
 #include "initialPressure.H"
-#include "membraneInterior.H"
 #include "solverSettings.H"
+#include "surfaceImmersion.H"
 #include "unsolvedPhysics.H"
 
 void Foam::incompressibleFlow::check(const dictionary& dict)
@@ -209,7 +209,7 @@ Foam::incompressibleFlow::incompressibleFlow
 )
 :
     solved_(present && solved),
-    interior_(nullptr),
+    membranes_(nullptr),
     options_(nullptr),
     pRefCell_(0),
     pRefValue_(0)
@@ -263,23 +263,79 @@ const Foam::volScalarField& Foam::incompressibleFlow::nu() const
 }
 
 
-void Foam::incompressibleFlow::setInterior(const membraneInterior* interior)
+Foam::scalar Foam::incompressibleFlow::leastNu() const
 {
-    interior_ = interior;
-    if (interior && solved_)
+    const scalarField& viscosity = nu().primitiveField();
+    const volScalarField* density = densityRatio();
+    return
+        density
+      ? gMin((viscosity/density->primitiveField())())
+      : gMin(viscosity);
+}
+
+
+void Foam::incompressibleFlow::setMembranes(const surfaceImmersion* membranes)
+{
+    membranes_ = membranes;
+    if (solved_ && membranes && membranes->interior())
     {
-        variable_.reset(new variableViscosity(*U_, *interior));
+        variable_.reset(new variableViscosity(*U_, *membranes->interior()));
     }
 }
 
 
 Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::viscosity() const
 {
-    if (interior_)
+    if (membranes_ && membranes_->fluids().viscosity())
     {
-        return interior_->factor()*nu();
+        return *membranes_->fluids().viscosity()*nu();
     }
     return nu();
+}
+
+
+const Foam::volScalarField* Foam::incompressibleFlow::densityRatio() const
+{
+    return membranes_ ? membranes_->fluids().density() : nullptr;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::dense
+(
+    const volScalarField& field
+) const
+{
+    if (const volScalarField* density = densityRatio())
+    {
+        return *density*field;
+    }
+    return field;
+}
+
+
+Foam::vector Foam::incompressibleFlow::excessInertia() const
+{
+    const volScalarField* density = densityRatio();
+    if (!density)
+    {
+        return Zero;
+    }
+    const volVectorField& U = *U_;
+    vectorField rate
+    (
+        (U.primitiveField() - U.oldTime().primitiveField())/U.time().deltaTValue()
+    );
+    if (carriedU_->active())
+    {
+        rate += carriedU_->rate().primitiveField();
+    }
+    if (convecting_.valid())
+    {
+        rate +=
+            fvc::div(*convecting_, U, "div(phi,U)")().primitiveField()
+          - fvc::div(*convecting_)().primitiveField()*U.primitiveField();
+    }
+    return sum(U.mesh().V()*(density->primitiveField() - 1)*rate);
 }
 
 
@@ -326,16 +382,32 @@ void Foam::incompressibleFlow::carryVelocity
     const scalar diameter
 )
 {
-    carriedU_->carry(d, diameter, gMin(nu().primitiveField()));
+    carriedU_->carry(d, diameter, leastNu());
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::dense
+(
+    tmp<fvVectorMatrix> matrix
+) const
+{
+    if (const volScalarField* density = densityRatio())
+    {
+        return *density*matrix;
+    }
+    return matrix;
 }
 
 
 Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::timeDerivative()
 {
-    return
+    convecting_.clear();
+    return dense
+    (
         carriedU_->active()
       ? fvm::ddt(*U_) + carriedU_->rate()
-      : fvm::ddt(*U_);
+      : fvm::ddt(*U_)
+    );
 }
 
 
@@ -344,14 +416,24 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::convection
     tmp<surfaceScalarField> flux
 )
 {
-    // Inside a dilating clump div(phi) is not zero
-    const surfaceScalarField over
+    convecting_.reset
     (
-        "over",
-        carriedU_->active() ? flux - carriedU_->flux() : flux
+        new surfaceScalarField
+        (
+            "over",
+            carriedU_->active() ? flux - carriedU_->flux() : flux
+        )
     );
-    return
-        fvm::div(over, *U_, "div(phi,U)") - fvm::Sp(fvc::div(over), *U_);
+
+    // Set anew in every outer corrector: a change of the mesh need not map it
+    convecting_->checkOut();
+
+    // Inside a dilating clump div(phi) is not zero
+    return dense
+    (
+        fvm::div(*convecting_, *U_, "div(phi,U)")
+      - fvm::Sp(fvc::div(*convecting_), *U_)
+    );
 }
 
 

@@ -77,7 +77,10 @@ Foam::fluidCoupling::fluidCoupling
         }
         surfaces_.reset
         (
-            new surfaceImmersion(mesh, types, getDict(clumpProperties, "types"))
+            new surfaceImmersion
+            (
+                mesh, types, getDict(clumpProperties, "types"), rho_
+            )
         );
     }
 }

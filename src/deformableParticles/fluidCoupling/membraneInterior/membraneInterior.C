@@ -8,7 +8,6 @@
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "linear.H"
-#include "surfaceDistance.H"
 
 Foam::membraneInterior::membraneInterior
 (
@@ -16,7 +15,8 @@ Foam::membraneInterior::membraneInterior
     const PtrList<clumpType>& types,
     const UPtrList<surfaceKernel>& kernels,
     const cellGeometry& geometry,
-    const vectorField& widths
+    const vectorField& widths,
+    const volScalarField& factor
 )
 :
     mesh_(mesh),
@@ -24,12 +24,7 @@ Foam::membraneInterior::membraneInterior
     kernels_(kernels),
     geometry_(geometry),
     widths_(widths),
-    factor_
-    (
-        IOobject("viscosityFactor", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("factor", dimless, 1)
-    ),
+    factor_(factor),
     slip_
     (
         IOobject("interiorSlip", mesh.time().timeName(), mesh),
@@ -42,7 +37,6 @@ Foam::membraneInterior::membraneInterior
 
 void Foam::membraneInterior::reset()
 {
-    factor_ = dimensionedScalar("factor", dimless, 1);
     slip_ = dimensionedSymmTensor(dimPressure, Zero);
     across_ = symmTensorField(mesh_.nCells(), Zero);
     normals_.clear();
@@ -183,73 +177,13 @@ Foam::tmp<Foam::volTensorField> Foam::membraneInterior::strain
 }
 
 
-bool Foam::membraneInterior::wanted(const PtrList<clumpType>& types)
-{
-    for (const clumpType& type : types)
-    {
-        if (type.viscosityRatio() != 1)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-void Foam::membraneInterior::add(const clumpImage& image, scalarField& covered)
-{
-    const clumpType& type = types_[image.typeId];
-    const surfaceKernel& kernel = kernels_[image.typeId];
-    const scalar slow = 1/type.viscosityRatio() - 1;
-    const boundBox nodes(image.x, false);
-    DynamicList<label> cells;
-    DynamicList<point> centres;
-    scalar farthest = 0;
-
-    // A mesh cell reaches at least half its width from its centre
-    for (const label celli : geometry_.find(nodes, 2*kernel.support()))
-    {
-        const point& x = geometry_[celli].x;
-        const vector reach(kernel.support()*widths_[celli]);
-        if (boundBox(x - reach, x + reach).overlaps(nodes))
-        {
-            cells.append(celli);
-            centres.append(x);
-            farthest = max(farthest, cmptMax(reach));
-        }
-    }
-    if (cells.empty())
-    {
-        return;
-    }
-    const pointField x(centres);
-    const surfaceDistance surface(type.surface(), image.x);
-    const auto places = surface.nearest(x, farthest);
-    const boolList within(surface.inside(x, places));
-    forAll(cells, k)
-    {
-        const auto& p = places[k];
-        const label celli = cells[k];
-        const scalar inside =
-            p.found
-          ? kernel.beyond(p.distance/mag(cmptMultiply(widths_[celli], p.outwards)))
-          : within[k];
-        covered[celli] += inside;
-        factor_[celli] += slow*inside;
-    }
-}
-
-
 void Foam::membraneInterior::set
 (
     const UList<clumpImage>& images,
     const UList<DynamicList<surfaceMeeting>>& meetings
 )
 {
-    scalarField& factor = factor_.primitiveFieldRef();
-    factor = Zero;
     across_ = Zero;
-    scalarField covered(mesh_.nCells(), Zero);
     normals_ = List<vectorField>(images.size());
     forAll(images, a)
     {
@@ -267,10 +201,7 @@ void Foam::membraneInterior::set
         {
             across_[m.celli] += max(m.weight, scalar(0))*sqr(normals_[a][m.node]);
         }
-        add(images[a], covered);
     }
-    factor = 1/(1 + factor/max(covered, scalar(1)));
-    factor_.correctBoundaryConditions();
     for (symmTensor& N : across_)
     {
         N = innerSqr(innerSqr(N/max(tr(N), VSMALL)));

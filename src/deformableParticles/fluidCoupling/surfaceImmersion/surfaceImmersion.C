@@ -9,7 +9,8 @@ Foam::surfaceImmersion::surfaceImmersion
 (
     const fvMesh& mesh,
     const PtrList<clumpType>& types,
-    const dictionary& dict
+    const dictionary& dict,
+    const scalar rho
 )
 :
     mesh_(mesh),
@@ -20,7 +21,8 @@ Foam::surfaceImmersion::surfaceImmersion
         IOobject("membraneForce", mesh.time().timeName(), mesh),
         mesh,
         dimensionedVector(dimForce/dimVolume, Zero)
-    )
+    ),
+    fluids_(mesh, types, kernels_, geometry_, widths_, rho)
 {
     for (const clumpType& type : types)
     {
@@ -32,11 +34,11 @@ Foam::surfaceImmersion::surfaceImmersion
         );
     }
     setWidths();
-    if (membraneInterior::wanted(types))
+    if (const volScalarField* factor = fluids_.viscosity())
     {
         interior_.reset
         (
-            new membraneInterior(mesh, types, kernels_, geometry_, widths_)
+            new membraneInterior(mesh, types, kernels_, geometry_, widths_, *factor)
         );
     }
 }
@@ -75,6 +77,7 @@ void Foam::surfaceImmersion::meshChanged()
     geometry_.update();
     setWidths();
     meetings_.clear();
+    fluids_.reset();
     if (interior_.valid())
     {
         interior_->reset();
@@ -161,6 +164,7 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
             m.weight *= w.a[m.node] + (w.b[m.node] & m.r);
         }
     }
+    fluids_.set(ghosts);
     if (interior_.valid())
     {
         interior_->set(images, meetings_);

@@ -40,8 +40,8 @@ Foam::functionObjects::clumpForce::header() const
        .explain("Fx Fy Fz Tx Ty Tz", "force of the fluid without that of the pressure at"
             " rest (buoyancy), and its torque about the centre of mass")
        .explain("x y z Ux Uy Uz", "position and velocity of the centre of mass")
-       .explain("drag lift", "force along flow and gradient. A membrane has no inertia:"
-            " its F balances loads, weight and contacts");
+       .explain("drag lift", "force along flow and gradient. The nodes of a membrane have"
+            " no inertia: F balances loads, weight and contacts");
 }
 
 

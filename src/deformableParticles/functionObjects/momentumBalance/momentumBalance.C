@@ -231,7 +231,7 @@ void Foam::functionObjects::momentumBalance::findTerms
         vector* term :
         {
             &clumps_.rate, &clumps_.fluid, &clumps_.interior,
-            &clumps_.coupling, &clumps_.applied
+            &clumps_.coupling, &clumps_.applied, &clumps_.inside
         }
     )
     {
@@ -242,7 +242,8 @@ void Foam::functionObjects::momentumBalance::findTerms
     forcing_ =
         cloud.coupling().forceOnFluid(U)
       + rho*gSum(V*cloud.boundary().strength().primitiveField())
-       *clumps_.correction;
+       *clumps_.correction
+      - clumps_.inside;
 
     scalar onFluid = 0;
     patches_ = rho*patchForces(convection, onFluid);
@@ -273,13 +274,23 @@ void Foam::functionObjects::momentumBalance::findTerms
         size_ = max(size_, mag(F));
     }
 
+    const interiorFluids* fluids =
+        cloud.surfaces() ? &cloud.surfaces()->fluids() : nullptr;
     momentum_ =
         gSum(rho*V*U.primitiveField())
       + returnReduce(excessMomentum(cloud), sumOp<vector>());
+    if (fluids)
+    {
+        momentum_ += rho*returnReduce(fluids->excessMomentum(U), sumOp<vector>());
+    }
     if (impulseSize_ == 0)
     {
-        const scalar mass =
+        scalar mass =
             rho*gSum(V) + returnReduce(excessMass(cloud), sumOp<scalar>());
+        if (fluids)
+        {
+            mass += rho*returnReduce(fluids->excessMass(), sumOp<scalar>());
+        }
         start_ =
             momentum_ - mass*clumps_.correction
           - dt*(fluidRate_ + clumps_.rate - clumps_.interior);

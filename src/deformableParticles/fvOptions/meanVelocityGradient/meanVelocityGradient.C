@@ -318,7 +318,7 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
 
     fvScalarMatrix equation
     (
-        fvm::Sp(1/mesh_.time().deltaT(), w) - fvm::laplacian(nu, w)
+        fvm::Sp(density()/mesh_.time().deltaT(), w) - fvm::laplacian(nu, w)
      == dimensionedScalar("one", dimless, 1)
     );
 
@@ -330,6 +330,21 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
     equation.solve(solver);
 
     return gSum(w.primitiveField()*mesh_.V())/gSum(mesh_.V());
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::fv::meanVelocityGradient::density() const
+{
+    if (const auto* density = mesh_.cfindObject<volScalarField>("densityFactor"))
+    {
+        return *density;
+    }
+    return tmp<volScalarField>::New
+    (
+        IOobject(name_ + "_density", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("one", dimless, 1)
+    );
 }
 
 
@@ -378,7 +393,12 @@ void Foam::fv::meanVelocityGradient::adjust(const volVectorField& U)
     }
 
     const vector mean(meanOf(U));
-    const vector kept(fresh_ ? vector::zero : response_/dt*(mean - mean_));
+    const scalar inertia =
+        gSum(density()().primitiveField()*mesh_.V())/gSum(mesh_.V())/dt;
+    const vector kept
+    (
+        fresh_ ? vector::zero : response_*inertia*(mean - mean_)
+    );
     gradient_ += heldDirections() & (Ubar_ - mean - kept)/response_;
     mean_ = mean;
     fresh_ = false;

@@ -46,7 +46,7 @@ TEST_CASE("density ratio: the inside has its mass", "[membrane][parallel]")
     const volVectorField U
     (
         IOobject("U", testMesh().time().timeName(), testMesh()), testMesh(),
-        dimensionedVector(dimVelocity, vector(1, -2, 3))
+        dimensionedVector("U", dimVelocity, vector(1, -2, 3))
     );
     const vector momentum
     (

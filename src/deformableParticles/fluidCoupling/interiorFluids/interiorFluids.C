@@ -100,7 +100,7 @@ Foam::DynamicList<Foam::interiorFluids::part> Foam::interiorFluids::partsOf
         const vector reach(kernel.support()*widths_[celli]);
         if (boundBox(x - reach, x + reach).overlaps(nodes))
         {
-            parts.append(part{celli, 0});
+            parts.append(part{celli, 0, 0});
             centres.append(x);
             farthest = max(farthest, cmptMax(reach));
         }
@@ -117,10 +117,8 @@ Foam::DynamicList<Foam::interiorFluids::part> Foam::interiorFluids::partsOf
     {
         const auto& p = places[k];
         const vector& width = widths_[parts[k].celli];
-        parts[k].inside =
-            p.found
-          ? kernel.beyond(p.distance/mag(cmptMultiply(width, p.outwards)))
-          : within[k];
+        parts[k].distance = p.found ? p.distance : within[k] ? -GREAT : GREAT;
+        parts[k].width = p.found ? mag(cmptMultiply(width, p.outwards)) : 1;
     }
     return parts;
 }
@@ -143,9 +141,10 @@ void Foam::interiorFluids::set(ghostExchange& ghosts)
         const scalar slow = 1/types_[images[a].typeId].viscosityRatio() - 1;
         for (const part& p : parts[a])
         {
-            covered[p.celli] += p.inside;
-            slower[p.celli] += slow*p.inside;
-            images[a].inside += p.inside*mesh_.V()[p.celli];
+            const scalar I = inside(images[a], p);
+            covered[p.celli] += I;
+            slower[p.celli] += slow*I;
+            images[a].inside += I*mesh_.V()[p.celli];
         }
     }
     covered = max(covered, scalar(1));
@@ -160,13 +159,18 @@ void Foam::interiorFluids::set(ghostExchange& ghosts)
         scalarField denser(mesh_.nCells(), Zero);
         forAll(images, a)
         {
-            const label typei = images[a].typeId;
-            const scalar dense =
-                (densities_[typei] - 1)*types_[typei].volume()
-               /max(images[a].inside, VSMALL);
+            if (parts[a].empty())
+            {
+                continue;
+            }
+            const clumpImage& image = images[a];
+            const clumpType& type = types_[image.typeId];
+            const scalar more = max(image.inside - type.volume(), scalar(0));
+            const scalar displaced = more/type.surface().area(image.x);
             for (const part& p : parts[a])
             {
-                denser[p.celli] += dense*p.inside;
+                denser[p.celli] +=
+                    (densities_[image.typeId] - 1)*inside(image, p, displaced);
             }
         }
         density_->primitiveFieldRef() = 1 + denser/covered;

@@ -67,7 +67,7 @@ for key, rows in runs.items():
     results.add(f"D farthest from the course, t = {worst['t']:g}, {name}", worst["D"], "-",
                 course[round(worst["t"], 3)]["D"], 0.01, SOURCE)
 
-# The error of the time step, and its order: that of the differences between steps halved twice
+# The error of the time step, and its order from the differences between steps halved twice
 usual = "neoHookean", 0.15, 10
 steps = {step: {r["t"]: r["D"] for r in runs[usual + (step, 3, "threePoint", 1)]}
          for step in (0.1, 0.05, 0.025, 0.0125) if usual + (step, 3, "threePoint", 1) in runs}
@@ -78,7 +78,8 @@ if len(steps) == 4:
                 "-", 1, 0.002, "the shorter step")
     for step in 0.1, 0.05:
         results.report(f"order of the time step at {step:g}, {step/2:g} and {step/4:g}",
-                       log2(abs((D[step] - D[step/2])/(D[step/2] - D[step/4]))), "-", "BDF2: 2")
+                       log2((D[step] - D[step/2])/(D[step/2] - D[step/4])), "-",
+                       "of the differences")
 
 # Extrapolated over the mesh in the second order
 for key, rows in runs.items():

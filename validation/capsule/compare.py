@@ -77,9 +77,9 @@ if len(steps) == 4:
     results.add(f"D at t = {end:g} with steps of 0.05 over that with 0.0125", D[0.05]/D[0.0125],
                 "-", 1, 0.002, "the shorter step")
     for step in 0.1, 0.05:
+        halved = (D[step] - D[step/2])/(D[step/2] - D[step/4])
         results.report(f"order of the time step at {step:g}, {step/2:g} and {step/4:g}",
-                       log2((D[step] - D[step/2])/(D[step/2] - D[step/4])), "-",
-                       "of the differences")
+                       log2(abs(halved)), "-", "of the differences")
 
 # Extrapolated over the mesh in the second order
 for key, rows in runs.items():

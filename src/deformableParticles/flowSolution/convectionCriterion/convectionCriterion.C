@@ -6,6 +6,7 @@
 #include "convectionCriterion.H"
 #include "StringStream.H"
 #include "clumpTotals.H"
+#include "incompressibleFlow.H"
 
 Foam::convectionCriterion::convectionCriterion
 (
@@ -27,11 +28,7 @@ Foam::convectionCriterion::convectionCriterion
 {}
 
 
-void Foam::convectionCriterion::decide
-(
-    const volVectorField& U,
-    const scalar leastNu
-) const
+void Foam::convectionCriterion::decide(incompressibleFlow& flow) const
 {
     const timeBreakdown::timer t(timing_, "checks");
     if (neverConvects_)
@@ -40,7 +37,8 @@ void Foam::convectionCriterion::decide
     }
     else if (effects_.automatic("convection"))
     {
-        const scalar Re = gMax(mag(U.primitiveField()))*size_/leastNu;
+        const scalar Re =
+            gMax(mag(flow.U().primitiveField()))*size_/flow.leastNu();
         const bool convects = Re > 0.05;
 
         OStringStream reason;

@@ -316,9 +316,11 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
     );
     const auto& nu = mesh_.lookupObject<volScalarField>("nu");
 
+    const dimensionedScalar rate(1/mesh_.time().deltaT());
     fvScalarMatrix equation
     (
-        fvm::Sp(density()/mesh_.time().deltaT(), w) - fvm::laplacian(nu, w)
+        (density() ? fvm::Sp(rate*(*density()), w) : fvm::Sp(rate, w))
+      - fvm::laplacian(nu, w)
      == dimensionedScalar("one", dimless, 1)
     );
 
@@ -333,18 +335,9 @@ Foam::scalar Foam::fv::meanVelocityGradient::findResponse
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::fv::meanVelocityGradient::density() const
+const Foam::volScalarField* Foam::fv::meanVelocityGradient::density() const
 {
-    if (const auto* density = mesh_.cfindObject<volScalarField>("densityFactor"))
-    {
-        return *density;
-    }
-    return tmp<volScalarField>::New
-    (
-        IOobject(name_ + "_density", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("one", dimless, 1)
-    );
+    return mesh_.cfindObject<volScalarField>("densityFactor");
 }
 
 
@@ -393,11 +386,12 @@ void Foam::fv::meanVelocityGradient::adjust(const volVectorField& U)
     }
 
     const vector mean(meanOf(U));
-    const scalar inertia =
-        gSum(density()().primitiveField()*mesh_.V())/gSum(mesh_.V())/dt;
+    const scalar dense =
+        density()
+      ? gSum(density()->primitiveField()*mesh_.V())/gSum(mesh_.V()) : 1;
     const vector kept
     (
-        fresh_ ? vector::zero : response_*inertia*(mean - mean_)
+        fresh_ ? vector::zero : dense*response_/dt*(mean - mean_)
     );
     gradient_ += heldDirections() & (Ubar_ - mean - kept)/response_;
     mean_ = mean;

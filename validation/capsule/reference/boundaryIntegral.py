@@ -3,9 +3,14 @@
 
 The membrane is a map x(s) of the unit sphere, which is its state without strain, in spherical
 harmonics up to a degree. Its force per area at rest is the projection of Div P onto them, so that
-its power is minus the rate of change of the strain energy. Lengths are in radii, times in shear
-times, stresses in outer viscosities times the shear rate; L is the inner over the outer viscosity,
-n the outward normal, G and T the velocity and the stress of a force (Pozrikidis 1992):
+its power is minus the rate of change of the strain energy, and of the bending energy
+
+    E = kappa/2 int (2 H - c0)^2 dS
+
+with the mean curvature H, 1 for a sphere. Lengths are in radii, times in shear times, stresses in
+outer viscosities times the shear rate, kappa in shear moduli times the radius squared; L is the
+inner over the outer viscosity, n the outward normal, G and T the velocity and the stress of a
+force (Pozrikidis 1992):
 
     u(x0) = 2/(1 + L) u_inf(x0) + 1/(4 pi (1 + L)) int G f dS0
                                 + (1 - L)/(4 pi (1 + L)) int u.T.n dS
@@ -63,6 +68,25 @@ def harmonics(degree, theta, phi):
             values.append(scale*P[k, n]*wave)
             gradients.append(scale*(D[k, n]*wave*along + P[k, n]*turned*around))
     return np.array(values).T, np.moveaxis(np.array(gradients), 0, -1)
+
+
+def parameterDerivatives(degree, theta, phi):
+    """First and second derivatives of the real spherical harmonics by theta and phi: theta, phi,
+    theta theta, theta phi, phi phi (derivative x points x harmonics)."""
+    P, D = legendre(degree, theta)
+    st, cotangent = np.sin(theta), 1/np.tan(theta)
+    result = []
+    for k in range(degree + 1):
+        for m in range(-k, k + 1):
+            n = abs(m)
+            scale = np.sqrt(2) if m else 1
+            wave, turned = np.cos(n*phi), -n*np.sin(n*phi)
+            if m < 0:
+                wave, turned = np.sin(n*phi), n*np.cos(n*phi)
+            DD = -cotangent*D[k, n] - (k*(k + 1) - (n/st)**2)*P[k, n]
+            result.append(scale*np.array([D[k, n]*wave, P[k, n]*turned, DD*wave, D[k, n]*turned,
+                                          -n*n*P[k, n]*wave]))
+    return np.moveaxis(np.array(result), 0, -1)
 
 
 def points(theta, phi):
@@ -141,8 +165,9 @@ class Box:
 
 class Capsule:
 
-    def __init__(self, law, ratio, Ca, degree, box):
+    def __init__(self, law, ratio, Ca, degree, box, bending=0, curvature=0):
         self.law, self.ratio, self.Ca = law, ratio, Ca
+        self.bending, self.curvature = bending/Ca, curvature
         self.box = Box(*box) if box else None
         theta, phi, self.weights = sphereGrid(degree)
         self.nTheta, self.nPhi = degree + 1, 2*degree + 2
@@ -154,6 +179,9 @@ class Capsule:
         fineTheta, finePhi, self.fineWeights = sphereGrid(2*degree)
         self.fine, self.gradients = harmonics(degree, fineTheta, finePhi)
         self.sphere = points(fineTheta, finePhi)
+        if bending:
+            self.derivatives = parameterDerivatives(degree, fineTheta, finePhi)
+            self.parameterWeights = self.fineWeights/np.sin(fineTheta)
 
         # Grids around a node of every latitude at phi = 0: equal steps of longitude, Gauss' rule
         # in the angle from the pole, whose sine takes away the singularity
@@ -196,7 +224,36 @@ class Capsule:
         volume = dV.sum()/3
         moments = np.einsum("q,qi,qj->ij", dV, y, y)/5
         smooth = self.fine.T@(self.fineWeights[:, None]*normal)
+        if self.bending:
+            force += self.bendingForce(coefficients)
         return self.synthesis@force, self.synthesis@smooth, volume, moments
+
+    def bendingForce(self, coefficients):
+        """Minus the derivative of the bending energy by the coefficients. With the tangents a_i,
+        i = theta, phi, the metric g_ij, its determinant J^2, b_ij = x_,ij.n and C = 2 H = -g^ij
+        b_ij, the derivatives of kappa/2 (C - c0)^2 J by the tangents and by x_,ij are
+
+            kappa (C - c0) J (2 b^ki a_k + g^kl Gamma^i_kl n) + kappa/2 (C - c0)^2 J a^i
+            -kappa (C - c0) J g^ij n
+        """
+        x = np.einsum("dqk,ki->dqi", self.derivatives, coefficients)
+        a, second = x[:2], x[[2, 3, 3, 4]].reshape(2, 2, -1, 3)
+        normal = np.cross(a[0], a[1])
+        J = np.linalg.norm(normal, axis=1)
+        normal /= J[:, None]
+        metric = np.linalg.inv(np.einsum("iqx,jqx->qij", a, a))
+        upper = np.einsum("qij,jqx->iqx", metric, a)
+        b = np.einsum("ijqx,qx->qij", second, normal)
+        C = -np.einsum("qij,qij->q", metric, b)
+        factor = self.bending*(C - self.curvature)*J
+        byTangent = (2*np.einsum("qij,qjk,kqx->iqx", metric, b, upper)
+                     + np.einsum("qkl,klqx,iqx->iq", metric, second, upper)[..., None]*normal)
+        byTangent = (factor[:, None]*byTangent
+                     + (0.5*factor*(C - self.curvature))[:, None]*upper)
+        bySecond = -(factor*np.moveaxis(metric, 0, 2))[..., None]*normal
+        stress = np.array([*byTangent, bySecond[0, 0], 2*bySecond[0, 1], bySecond[1, 1]])
+        return -np.einsum("dqk,dqx,q->kx", self.derivatives, stress, self.parameterWeights,
+                          optimize=True)
 
     def onGrids(self, latitude, fields):
         """Fields (nodes x components) on the grids around the nodes of a latitude."""
@@ -287,11 +344,14 @@ def main():
     options.add_argument("end", type=float)
     options.add_argument("box", type=float, nargs="*",
                          help="height, length and depth of a box; unbounded if absent")
+    options.add_argument("-bending", type=float, default=0, help="kappa")
+    options.add_argument("-curvature", type=float, default=0, help="c0")
     given = options.parse_args()
-    capsule = Capsule(given.law, given.ratio, given.Ca, given.degree, given.box)
+    capsule = Capsule(given.law, given.ratio, given.Ca, given.degree, given.box,
+                      given.bending, given.curvature)
     x = capsule.start
     u = 0*x
-    head = (f"{given.law},{given.ratio:g},{given.Ca:g},"
+    head = (f"{given.law},{given.ratio:g},{given.Ca:g},{given.bending:g},{given.curvature:g},"
             + ",".join(f"{side:g}" for side in given.box or (0, 0, 0)))
     every = round(0.2/given.step)
     for n in range(round(given.end/given.step) + 1):

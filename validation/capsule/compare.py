@@ -146,7 +146,8 @@ for key, ofDegree in spectral.items():
 same = spectral["NH", 1, 0.15, 0.1125, 0, 0, 0][6]
 t = max(same)
 results.add(f"reference, bending 0.1125, unbounded, t = {t:g}", same[t]["D"], "-",
-            published["subdivision_methods_C_S"][-1][1], "0.3%", "published, on subdivided triangles")
+            published["subdivision_methods_C_S"][-1][1], "0.3%",
+            "published, on subdivided triangles")
 
 bent.set_xlabel("time x shear rate")
 for panel in axes, bent:

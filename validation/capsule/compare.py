@@ -68,7 +68,7 @@ for key, rows in runs.items():
         panel.plot(times, [course[t]["D"] for t in times], "k", lw=0.8)
         label = f"{law}, Ca {Ca:g}, viscosity ratio {ratio:g}"
         if bending:
-            label = f"the same with bending, curvature {curvature:g}/R"
+            label = f"Ca {Ca:g}, with bending, curvature {curvature:g}/R"
         panel.plot([r["t"] for r in rows], [r["D"] for r in rows], ".", ms=4, label=label)
     known = [r for r in rows if round(r["t"], 3) in course and r["t"] > 0]
     if not known:

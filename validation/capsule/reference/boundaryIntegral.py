@@ -241,16 +241,16 @@ class Capsule:
         normal = np.cross(a[0], a[1])
         J = np.linalg.norm(normal, axis=1)
         normal /= J[:, None]
-        metric = np.linalg.inv(np.einsum("iqx,jqx->qij", a, a))
-        upper = np.einsum("qij,jqx->iqx", metric, a)
+        inverse = np.linalg.inv(np.einsum("iqx,jqx->qij", a, a))
+        upper = np.einsum("qij,jqx->iqx", inverse, a)
         b = np.einsum("ijqx,qx->qij", second, normal)
-        C = -np.einsum("qij,qij->q", metric, b)
+        C = -np.einsum("qij,qij->q", inverse, b)
         factor = self.bending*(C - self.curvature)*J
-        byTangent = (2*np.einsum("qij,qjk,kqx->iqx", metric, b, upper)
-                     + np.einsum("qkl,klqx,iqx->iq", metric, second, upper)[..., None]*normal)
+        byTangent = (2*np.einsum("qij,qjk,kqx->iqx", inverse, b, upper)
+                     + np.einsum("qkl,klqx,iqx->iq", inverse, second, upper)[..., None]*normal)
         byTangent = (factor[:, None]*byTangent
                      + (0.5*factor*(C - self.curvature))[:, None]*upper)
-        bySecond = -(factor*np.moveaxis(metric, 0, 2))[..., None]*normal
+        bySecond = -(factor*np.moveaxis(inverse, 0, 2))[..., None]*normal
         stress = np.array([*byTangent, bySecond[0, 0], 2*bySecond[0, 1], bySecond[1, 1]])
         return -np.einsum("dqk,dqx,q->kx", self.derivatives, stress, self.parameterWeights,
                           optimize=True)

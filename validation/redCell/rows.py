@@ -58,10 +58,10 @@ elif kind == "stretch":
               f"{last['Lx']/held[-2]['Lx'] - 1:.5f},{last['volume']/start['volume']:.8f},"
               f"{last['area']/start['area']:.5f}")
 elif kind == "recovery":
-    release = float(sys.argv[2])
+    release, viscosity = float(sys.argv[2]), sys.argv[3]
     for r in rows:
         if r["time"] >= release - 1e-9:
-            print(f"{r['time'] - release:g},{r['Lx']/r['Ly']:.5f}")
+            print(f"{viscosity},{r['time'] - release:g},{r['Lx']/r['Ly']:.5f}")
 elif kind == "turned":
     rate, mu, strain, subdivisions = sys.argv[2:]
     axis = unwrapped([r["inclination"] for r in rows], 2)

@@ -112,7 +112,8 @@ for key, rows in runs.items():
         course = reference(law, ratio, Ca, bending, curvature, rows[0]["height"],
                            rows[0]["length"])
         results.report(f"D at t = {t:g} extrapolated from 10 and 16 cells over the reference,"
-                       f" Ca {Ca:g}, viscosity ratio {ratio:g}, bending {bending:g}",
+                       f" Ca {Ca:g}, viscosity ratio {ratio:g}" + (
+                           f", bending {bending:g}, curvature {curvature:g}" if bending else ""),
                        (fine[-1]["D"] + part*(fine[-1]["D"] - coarse))/course[round(t, 3)]["D"],
                        "-", "second order")
 

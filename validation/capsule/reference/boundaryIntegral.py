@@ -50,14 +50,10 @@ def legendre(degree, theta):
     return P, D
 
 
-def harmonics(degree, theta, phi):
-    """Real spherical harmonics at points (points x harmonics), and their gradients on the sphere
-    (direction x points x harmonics)."""
+def modes(degree, theta, phi):
+    """Of every real spherical harmonic: degree and order, its function of theta and the derivative,
+    its wave in phi and the derivative."""
     P, D = legendre(degree, theta)
-    st, ct, sp, cp = np.sin(theta), np.cos(theta), np.sin(phi), np.cos(phi)
-    along = np.array([ct*cp, ct*sp, -st])
-    around = np.array([-sp, cp, 0*phi])/st
-    values, gradients = [], []
     for k in range(degree + 1):
         for m in range(-k, k + 1):
             n = abs(m)
@@ -65,27 +61,30 @@ def harmonics(degree, theta, phi):
             wave, turned = np.cos(n*phi), -n*np.sin(n*phi)
             if m < 0:
                 wave, turned = np.sin(n*phi), n*np.cos(n*phi)
-            values.append(scale*P[k, n]*wave)
-            gradients.append(scale*(D[k, n]*wave*along + P[k, n]*turned*around))
+            yield k, n, scale*P[k, n], scale*D[k, n], wave, turned
+
+
+def harmonics(degree, theta, phi):
+    """Real spherical harmonics at points (points x harmonics), and their gradients on the sphere
+    (direction x points x harmonics)."""
+    st, ct, sp, cp = np.sin(theta), np.cos(theta), np.sin(phi), np.cos(phi)
+    along = np.array([ct*cp, ct*sp, -st])
+    around = np.array([-sp, cp, 0*phi])/st
+    values, gradients = [], []
+    for _, _, P, D, wave, turned in modes(degree, theta, phi):
+        values.append(P*wave)
+        gradients.append(D*wave*along + P*turned*around)
     return np.array(values).T, np.moveaxis(np.array(gradients), 0, -1)
 
 
 def parameterDerivatives(degree, theta, phi):
     """First and second derivatives of the real spherical harmonics by theta and phi: theta, phi,
     theta theta, theta phi, phi phi (derivative x points x harmonics)."""
-    P, D = legendre(degree, theta)
     st, cotangent = np.sin(theta), 1/np.tan(theta)
     result = []
-    for k in range(degree + 1):
-        for m in range(-k, k + 1):
-            n = abs(m)
-            scale = np.sqrt(2) if m else 1
-            wave, turned = np.cos(n*phi), -n*np.sin(n*phi)
-            if m < 0:
-                wave, turned = np.sin(n*phi), n*np.cos(n*phi)
-            DD = -cotangent*D[k, n] - (k*(k + 1) - (n/st)**2)*P[k, n]
-            result.append(scale*np.array([D[k, n]*wave, P[k, n]*turned, DD*wave, D[k, n]*turned,
-                                          -n*n*P[k, n]*wave]))
+    for k, n, P, D, wave, turned in modes(degree, theta, phi):
+        DD = -cotangent*D - (k*(k + 1) - (n/st)**2)*P
+        result.append([D*wave, P*turned, DD*wave, D*turned, -n*n*P*wave])
     return np.moveaxis(np.array(result), 0, -1)
 
 

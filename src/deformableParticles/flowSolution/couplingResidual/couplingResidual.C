@@ -72,10 +72,20 @@ Foam::scalar Foam::couplingResidual::power
     const vectorField& w
 ) const
 {
-    const scalarField& r = cloud_.type(p).dragRadii();
+    const clumpType& type = cloud_.type(p);
+    const scalarField& r = type.dragRadii();
     const vector mean(meanOf(r, u));
+
+    // What the forces of the fluid change within a step, or move against the fluid
+    const scalar rho = cloud_.fluidDensity();
+    const scalar dt = flow_.p().time().deltaTValue();
+    const scalar layer = Foam::sqrt(flow_.leastNu()*dt);
     const scalar slip =
-        mag(sum(p.fluidForces()))/(drag_*cloud_.fluidDensity()*sum(r));
+        mag(sum(p.fluidForces()))
+       /(
+            drag_*rho*sum(r*(1 + r/layer))
+          + (type.mass() + rho*type.volume())/dt
+        );
 
     return
         drag_*sum(r*(magSqr(u - mean) + sqr(r)*magSqr(w)))
@@ -89,7 +99,7 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
     drag_ = 6*pi*gMax(flow_.nu().primitiveField());
 
     // Motions that need not be resolved
-    const scalar least = 1e-6/flow_.p().time().deltaTValue();
+    const scalar least = 1e-8/flow_.p().time().deltaTValue();
     const flowPower flow(ofFlow(p0));
 
     // Of the clumps: of the change, before and after
@@ -103,7 +113,8 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         const clumpStep& step = p.step();
         const vectorField du(step.end.u - step.imposedU);
         const vectorField dw(step.end.w - step.imposedW);
-        const scalar changed = drag_*sum(r*(magSqr(du) + sqr(r)*magSqr(dw)));
+        const scalar changed =
+            sqr(step.slowness)*drag_*sum(r*(magSqr(du) + sqr(r)*magSqr(dw)));
         const scalar imposed =
             power(p, start, step.imposedU, step.imposedW);
         const scalar ended = power(p, start, step.end.u, step.end.w);

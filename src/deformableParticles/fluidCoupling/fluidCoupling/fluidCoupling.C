@@ -18,13 +18,14 @@ void viscous
     const couplingScheme& scheme,
     const clumpType& type,
     const scalar mu,
+    const scalar rho,
     const scalar dt,
-    scalarField& z,
-    scalarField& zR
+    scalarField& z
 )
 {
-    const scalar noInertia = 0;
-    scheme.coefficients(type, mu, noInertia, dt, z, zR);
+    scalarField zR;
+    scheme.coefficients(type, mu, rho, dt, z, zR);
+    z -= rho*type.volumes()/dt;
 }
 
 }
@@ -373,12 +374,18 @@ bool Foam::fluidCoupling::adapt
     scalar& factor = p.couplingFactor();
     step.needsShorterStep =
         unstable && !(scheme_->damps() && factor < maxFactor);
-    if (!scheme_->damps() || (repeated && !unstable))
+    if (!scheme_->damps())
+    {
+        return false;
+    }
+    const response r(measured(p, dt));
+    step.slowness = slowness(p, dt, r);
+    if (repeated && !unstable)
     {
         return false;
     }
     bool sure = p.overshoots() > 1;
-    const scalar needed = neededRaise(p, dt, sure);
+    const scalar needed = neededRaise(p, r, sure);
     if (!repeated)
     {
         // What other clumps did in one corrector they seldom do in two
@@ -419,63 +426,100 @@ bool Foam::fluidCoupling::raiseFactor(clumpParcel& p, const scalar raise)
 }
 
 
-Foam::scalar Foam::fluidCoupling::neededRaise
+Foam::fluidCoupling::response Foam::fluidCoupling::measured
 (
     const clumpParcel& p,
-    const scalar dt,
-    bool& sure
+    const scalar dt
 ) const
 {
     const clumpType& type = types_[p.typeId()];
     const clumpStep& step = p.step();
     const vectorField& d = step.imposedChange;
     const scalarField dd(magSqr(d));
-    if (sum(dd) < 1e-6*sum(magSqr(step.end.u)))
-    {
-        return 1;
-    }
+    response r{sum(dd) > 1e-6*sum(magSqr(step.end.u)), 0, 0, 1, 1};
 
-    scalarField z, zR;
-    viscous(*scheme_, type, p.couplingFactor()*mu_, dt, z, zR);
+    scalarField z;
+    viscous(*scheme_, type, p.couplingFactor()*mu_, rho_, dt, z);
     const scalar own = sum(type.masses()*dd)/dt;
-    const scalar inside = rho_*sum(type.volumes()*dd)/dt;
-    const scalar inertia = own + inside;
-    const scalar ofViscosity = max(sum(z*dd), VSMALL);
+    r.inertia = own + rho_*sum(type.volumes()*dd)/dt;
+    r.viscosity = max(sum(z*dd), VSMALL);
+    if (!r.known)
+    {
+        return r;
+    }
     vectorField Gd(step.lastFluidForces - p.fluidForces());
     if (boundary_->addsInteriorInertia())
     {
         Gd -= step.presence*rho_/dt*type.volumes()*d;
     }
     const scalar fluid = sum(Gd & d);
-
-    const scalar q = (own + fluid)/max(inertia + ofViscosity, VSMALL);
+    r.q = (own + fluid)/max(r.inertia + r.viscosity, VSMALL);
 
     // The motion that a locked interior resists most is seldom d itself
     const bool locked = !boundary_->dilates();
-    const scalar stiffest =
+    r.most =
         locked && fluid > 0
-      ? sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid
-      : q;
-    if (max(q, stiffest) <= 1.5)
+      ? max(r.q, sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid)
+      : r.q;
+    return r;
+}
+
+
+Foam::scalar Foam::fluidCoupling::slowness
+(
+    const clumpParcel& p,
+    const scalar dt,
+    const response& r
+) const
+{
+    if (p.couplingFactor() <= 1)
     {
         return 1;
     }
+    // Against the coefficient that has not been raised, for the present motion
+    const clumpType& type = types_[p.typeId()];
+    scalarField z, raised;
+    viscous(*scheme_, type, mu_, rho_, dt, z);
+    viscous(*scheme_, type, p.couplingFactor()*mu_, rho_, dt, raised);
+    const scalarField inertia((type.masses() + rho_*type.volumes())/dt);
+    const scalar most = sum(inertia + raised)/sum(inertia + z);
+
+    return
+        r.known && p.step().corrected
+      ? min(max((1 - r.q)/max(r.q, VSMALL), scalar(1)), most)
+      : most;
+}
+
+
+Foam::scalar Foam::fluidCoupling::neededRaise
+(
+    const clumpParcel& p,
+    const response& r,
+    bool& sure
+) const
+{
+    if (!r.known || r.most <= 1.5)
+    {
+        return 1;
+    }
+    const clumpStep& step = p.step();
+    const vectorField& d = step.imposedChange;
+    const scalar dd = sum(magSqr(d));
     const vectorField now(step.end.u - step.imposedU);
-    const scalar growth = -sum(now & d)/max(sum(dd), VSMALL);
-    const bool explains = growth > 0.5*(q - 1) && growth < 2*(q - 1);
+    const scalar growth = -sum(now & d)/max(dd, VSMALL);
+    const bool explains = growth > 0.5*(r.q - 1) && growth < 2*(r.q - 1);
     const bool moved = sum(magSqr(p.state().a)) > 0;
     const bool asAWhole =
         now.size()*magSqr(average(now)) > 0.5*sum(magSqr(now));
+    const bool locked = !boundary_->dilates();
     sure =
         sure
      || (
             explains && moved && (asAWhole || locked)
-         && sum(dd) > 1e-4*sum(magSqr(step.end.u))
+         && dd > 1e-4*sum(magSqr(step.end.u))
         );
 
-    const scalar most = max(q, stiffest);
-
-    return min(most + (most - 1)*inertia/ofViscosity, maxRaise);
+    return min(r.most + (r.most - 1)*r.inertia/r.viscosity, maxRaise);
 }
 
 

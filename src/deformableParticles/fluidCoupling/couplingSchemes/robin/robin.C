@@ -50,7 +50,10 @@ void Foam::couplingSchemes::robin::coefficients
     const scalarField& r = type.radii();
     const scalarField inertia(rho*type.volumes()/dt);
 
-    zeta = coefficient_*6*pi*mu*r + inertia;
+    // r over the depth to which viscosity acts in a step
+    const scalarField x(r*Foam::sqrt(rho/(mu*dt)));
+
+    zeta = coefficient_*6*pi*mu*r*(1 + x) + inertia;
 
     const tensor I(clumpState(type).inertia(type));
     Eigen::Matrix3d moments;
@@ -65,8 +68,8 @@ void Foam::couplingSchemes::robin::coefficients
         ).eigenvalues()[0];
     const scalar ofSpheres = sum(type.inertias());
     const scalar resistance =
-        8*pi*mu*sum(pow3(r))
-      + 6*pi*mu*max(r)*r.size()*(least - ofSpheres)/type.mass();
+        8*pi*mu*sum(pow3(r)*(1 + sqr(x)/(3*(1 + x))))
+      + 6*pi*mu*max(r*(1 + x))*r.size()*(least - ofSpheres)/type.mass();
 
     zetaR =
         coefficient_*resistance*sqr(ofSpheres/least)/r.size() + 0.4*inertia*sqr(r);

@@ -75,9 +75,10 @@ void Foam::forcingModels::sharp::setStrength
             {
                 radius += s.w*radii[s.i];
             }
-            S = max
+            const scalar inertia = c.lambda > 0.5 ? 1/dt : 0;
+            S = full_*max
             (
-                1/dt, full_*nu[c.celli]/(geometry[c.celli].width*radius)
+                inertia, nu[c.celli]/(geometry[c.celli].width*radius)
             );
         }
         c.share = S;

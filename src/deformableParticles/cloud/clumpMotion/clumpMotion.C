@@ -243,7 +243,7 @@ void Foam::clumpMotion::setSteadyForces
     addWeight(p, ext);
     if (ct.hasSurface())
     {
-        momentum_.addFluid(p, vectorField());
+        momentum_.addFluid(p, vectorField(), Zero);
         return;
     }
     if (clumps_.hasFluid())
@@ -252,7 +252,10 @@ void Foam::clumpMotion::setSteadyForces
     }
     if (clumps_.coupled())
     {
-        momentum_.addFluid(p, coupling_->interiorForces(p, dt));
+        momentum_.addFluid
+        (
+            p, coupling_->interiorForces(p, dt), coupling_->displacedInertia(p, dt)
+        );
     }
     const externalForces& ofMembranes = p.step().ofMembranes;
     if (ofMembranes.f.size())

@@ -57,6 +57,11 @@ void Foam::deformableCloud::immerse
     }
     coupling_->boundary().update(ghosts_.images(), nu);
     ghosts_.returnTensions();
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        p.step().solidVolumes = ghosts_.images()[index++].tension.solid;
+    }
     if (moving)
     {
         turnVelocities(corrected);

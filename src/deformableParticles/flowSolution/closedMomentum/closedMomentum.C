@@ -73,7 +73,7 @@ void Foam::closedMomentum::correct()
 
     const clumpMomentum& m = cloud_.motion().momentum();
     const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
-    vector excess(rho*sum(V*change)/dt + m.rate - m.interior - m.applied);
+    vector excess(rho*sum(V*change)/dt + m.rate - m.displaced - m.applied);
     scalar mass = rho*sum(V) + excessMass(cloud_);
     if (flow_.densityRatio())
     {

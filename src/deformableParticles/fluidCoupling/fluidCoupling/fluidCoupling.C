@@ -251,9 +251,10 @@ void Foam::fluidCoupling::followFlow
 }
 
 
-Foam::vectorField Foam::fluidCoupling::interiorForces
+Foam::vectorField Foam::fluidCoupling::inertia
 (
     const clumpParcel& p,
+    const scalarField& volumes,
     const scalar dt
 ) const
 {
@@ -267,8 +268,28 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
         return vectorField(s.u.size(), Zero);
     }
     return
-        p.step().presence*rho_*types_[p.typeId()].volumes()/dt
+        p.step().presence*rho_*volumes/dt
        *(p.step().imposedU - s.u + mesh_.time().deltaT0Value()*s.a);
+}
+
+
+Foam::vectorField Foam::fluidCoupling::interiorForces
+(
+    const clumpParcel& p,
+    const scalar dt
+) const
+{
+    return inertia(p, p.step().solidVolumes, dt);
+}
+
+
+Foam::vector Foam::fluidCoupling::displacedInertia
+(
+    const clumpParcel& p,
+    const scalar dt
+) const
+{
+    return sum(inertia(p, types_[p.typeId()].volumes(), dt));
 }
 
 
@@ -302,7 +323,7 @@ void Foam::fluidCoupling::addForces
     {
         ext.f += interiorForces(p, dt);
         ext.t +=
-            0.4*step.presence*rho_/dt*type.volumes()*sqr(type.radii())
+            0.4*step.presence*rho_/dt*step.solidVolumes*sqr(type.radii())
            *(step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b);
     }
 }
@@ -450,7 +471,7 @@ Foam::fluidCoupling::response Foam::fluidCoupling::measured
     vectorField Gd(step.lastFluidForces - p.fluidForces());
     if (boundary_->addsInteriorInertia())
     {
-        Gd -= step.presence*rho_/dt*type.volumes()*d;
+        Gd -= step.presence*rho_/dt*step.solidVolumes*d;
     }
     const scalar fluid = sum(Gd & d);
     r.q = (own + fluid)/max(r.inertia + r.viscosity, VSMALL);

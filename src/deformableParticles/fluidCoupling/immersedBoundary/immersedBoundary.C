@@ -275,6 +275,7 @@ void Foam::immersedBoundary::update
     setStrengths(nu);
     fade(nu);
     setFriction(nu);
+    setSolidVolumes(images);
     if (dilates_)
     {
         setTensions(images);

@@ -57,6 +57,34 @@ void Foam::immersedBoundary::visit(Images& images, const Action& action) const
 }
 
 
+void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
+{
+    for (clumpImage& image : images)
+    {
+        image.tension.solid = scalarField(image.x.size(), Zero);
+    }
+    visit
+    (
+        images,
+        []
+        (
+            clumpImage& image, const coveredCells&,
+            const coveredCell& c, const UList<sphereWeight>& weights,
+            const scalar share
+        )
+        {
+            if (c.moves())
+            {
+                for (const sphereWeight& s : weights)
+                {
+                    image.tension.solid[s.i] += c.volume*share*s.w;
+                }
+            }
+        }
+    );
+}
+
+
 void Foam::immersedBoundary::setTensions(UList<clumpImage>& images) const
 {
     visit

@@ -293,7 +293,7 @@ void Foam::functionObjects::momentumBalance::findTerms
         }
         start_ =
             momentum_ - mass*clumps_.correction
-          - dt*(fluidRate_ + clumps_.rate - clumps_.interior);
+          - dt*(fluidRate_ + clumps_.rate - clumps_.displaced);
     }
     impulse_ += dt*(clumps_.applied + patches_ + sources_);
     impulseSize_ += dt*size_;

@@ -75,7 +75,7 @@ void Foam::forcingModels::sharp::setStrength
             {
                 radius += s.w*radii[s.i];
             }
-            const scalar inertia = c.lambda > 0.5 ? 1/dt : 0;
+            const scalar inertia = c.moves() ? 1/dt : 0;
             S = full_*max
             (
                 inertia, nu[c.celli]/(geometry[c.celli].width*radius)

@@ -43,6 +43,7 @@ Description
 #include "convectionCriterion.H"
 #include "couplingIteration.H"
 #include "incompressibleFlow.H"
+#include "meshCheck.H"
 #include "meshRefinement.H"
 #include "obliqueFlux.H"
 #include "resistanceMeasurement.H"
@@ -64,6 +65,7 @@ int main(int argc, char* argv[])
         << "Create time" << nl << endl;
     completeTime runTime(args);
     #include "createDynamicFvMesh.H"
+    meshCheck::check(mesh);
     runTime.need("phi", "U");
     #include "createFields.H"
     #include "createFieldRefs.H"

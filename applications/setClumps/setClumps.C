@@ -35,6 +35,7 @@ Description
 #include "caseTemplate.H"
 #include "clumpWork.H"
 #include "deformableCloud.H"
+#include "meshCheck.H"
 #include "surfaceCrossing.H"
 #include "timeDirectories.H"
 #include "vtkClumps.H"
@@ -149,6 +150,7 @@ int main(int argc, char* argv[])
     #include "createTime.H"
     timeDirectories::refuseUncopied(runTime);
     #include "createMesh.H"
+    meshCheck::check(mesh);
 
     if (args.found("template"))
     {

@@ -68,7 +68,8 @@ Foam::timeStepControl::timeStepControl(Time& runTime)
             "maxViscousNumber", "accuracyLevel", "watchdog", "functions", "libs",
             "startFrom", "startTime", "stopAt", "endTime", "writeControl",
             "writeInterval", "purgeWrite", "writeFormat", "writePrecision",
-            "writeCompression", "timeFormat", "timePrecision", "runTimeModifiable"
+            "writeCompression", "timeFormat", "timePrecision", "runTimeModifiable",
+            "checkMesh"
         }
     );
     read();

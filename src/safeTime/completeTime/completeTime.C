@@ -148,8 +148,39 @@ void Foam::completeTime::takePurge()
 
 void Foam::completeTime::readDict()
 {
+    checkControls();
     Time::readDict();
     takePurge();
+}
+
+
+void Foam::completeTime::checkControls() const
+{
+    const dictionary& dict = controlDict();
+    const scalar interval = dict.getOrDefault<scalar>("writeInterval", 1);
+    const scalar deltaT = dict.getOrDefault<scalar>("deltaT", 1);
+    if (!(interval > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'writeInterval' is " << interval << "; it must be above 0."
+            << " A run that is not to write has one longer than its endTime."
+            << exit(FatalIOError);
+    }
+    const word control(dict.getOrDefault<word>("writeControl", "timeStep"));
+    if (control != "timeStep" && interval < deltaT/labelMax)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'writeInterval' is " << interval << " s, of which a deltaT of "
+            << deltaT << " s has more than can be counted. Increase writeInterval."
+            << exit(FatalIOError);
+    }
+    if (deltaT > 0 && value() + deltaT == value())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'deltaT' is " << deltaT << " s, which is lost in the rounding of"
+            << " the present time, " << value() << " s. Increase deltaT."
+            << exit(FatalIOError);
+    }
 }
 
 
@@ -234,6 +265,7 @@ Foam::completeTime::completeTime(const argList& args)
         )
     )
 {
+    checkControls();
     takePurge();
 
     // A file above the shell's limit (ulimit -f) fails, and does not kill

@@ -10,6 +10,7 @@
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "timeDirectories.H"
+#include "unwatchedIOdictionary.H"
 #include "writtenFiles.H"
 #include <csignal>
 
@@ -184,6 +185,44 @@ void Foam::completeTime::checkControls() const
 }
 
 
+void Foam::completeTime::watchFiles()
+{
+    const dictionary& dict = controlDict();
+    if (!dict.subOrEmptyDict("OptimisationSwitches").found("fileModificationSkew"))
+    {
+        // One processor compares times of one disk; with OpenFOAM's 10 s an edit soon
+        // after another one would never be seen
+        regIOobject::fileModificationSkew = 0;
+    }
+    if (dict.found("runTimeModifiable"))
+    {
+        return;
+    }
+
+    // OpenFOAM's switch is off, private, and set by reading the entry
+    auto& control =
+        const_cast<unwatchedIOdictionary&>
+        (
+            dynamic_cast<const unwatchedIOdictionary&>(dict)
+        );
+    control.add("runTimeModifiable", true);
+    const scalar deltaT = deltaT_;
+    Time::readDict();
+    deltaT_ = deltaT;
+
+    // OpenFOAM has forgotten the files of controlDict by now
+    const unwatchedIOdictionary again
+    (
+        IOobject
+        (
+            control.name(), control.instance(), *this,
+            IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE, false
+        )
+    );
+    fileHandler().addWatches(control, again.files());
+}
+
+
 void Foam::completeTime::removeIncomplete() const
 {
     const fileNameList here(folders(path(), globalPath()));
@@ -266,6 +305,7 @@ Foam::completeTime::completeTime(const argList& args)
     )
 {
     checkControls();
+    watchFiles();
     takePurge();
 
     // A file above the shell's limit (ulimit -f) fails, and does not kill

@@ -50,7 +50,8 @@ Foam::runMonitor::runMonitor
         runTime, cloud, args.found("estimate"),
         flow.solved() ? flow.control().nCorrPIMPLE() : 0
     ),
-    layers_(cloud)
+    layers_(cloud),
+    clumpProperties_("clumpProperties", runTime)
 {
     functionNames::check(runTime);
 }

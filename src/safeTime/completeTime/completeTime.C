@@ -31,6 +31,7 @@ const argList& setIncompleteAside(const argList& args)
             setAside(folder/name);
         }
     }
+    addEmpty(args.path(), args.globalPath());
     return args;
 }
 

@@ -82,6 +82,39 @@ void Foam::timeDirectories::setAside(const fileName& directory)
 }
 
 
+void Foam::timeDirectories::addEmpty(const fileName& own, const fileName& common)
+{
+    if (!Pstream::parRun() || !isDir(own))
+    {
+        return;
+    }
+    const auto both = [](wordList a, const wordList& b) { a.append(b); return a; };
+    wordList mine;
+    for (const fileName& name : readDir(own, fileName::DIRECTORY))
+    {
+        scalar value;
+        if (readScalar(name, value))
+        {
+            mine.append(word(name));
+        }
+    }
+    for (const word& name : wordHashSet(returnReduce(mine, both)).sortedToc())
+    {
+        const fileName whole(common/name);
+        if
+        (
+            !mine.found(name) && isFile(whole/"uniform"/"time")
+         && readDir(whole, fileName::FILE).empty()
+        )
+        {
+            mkDir(own/name);
+            cp(whole/"uniform", own/name/"uniform");
+        }
+    }
+    returnReduce(true, andOp<bool>());
+}
+
+
 void Foam::timeDirectories::refuseUncopied(const Time& time)
 {
     const word& name = time.timeName();

@@ -8,7 +8,34 @@
 #include "fvMesh.H"
 #include "HashTable.H"
 #include "IOdictionary.H"
+#include "volFields.H"
 #include <cstring>
+
+namespace
+{
+
+using namespace Foam;
+
+//- Fatal where the start time has a flow, but the file of the fluid is missing
+void refuseForgotten(const fvMesh& mesh)
+{
+    const word start(mesh.time().timeName());
+    const bool hasFlow =
+        IOobject("U", start, mesh).typeHeaderOk<volVectorField>(false)
+     && IOobject("p", start, mesh).typeHeaderOk<volScalarField>(false);
+    if (returnReduce(hasFlow, orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "There is no constant/transportProperties, but the start time " << start
+            << " has the fields U and p. With a fluid, write its viscosity into that"
+            << " file: transportModel Newtonian; nu <m2/s>;" << nl
+            << "    For clumps without a fluid, write 'effects { fluid off; }' or remove"
+            << " U and p." << exit(FatalError);
+    }
+}
+
+}
+
 
 Foam::sceneEffects::sceneEffects(const dictionary& clumpProperties)
 :
@@ -114,6 +141,10 @@ void Foam::sceneEffects::decideFluid
             "transportProperties", mesh.time().constant(), mesh
         ).typeHeaderOk<IOdictionary>(false);
 
+        if (!found)
+        {
+            refuseForgotten(mesh);
+        }
         decide
         (
             "fluid",

@@ -108,6 +108,13 @@ void Foam::clumpStart::refuseOutside
             << "Entry 'position': " << crossing.description().c_str()
             << exit(FatalIOError);
     }
+    if (crossing.wide().size())
+    {
+        FatalIOErrorInFunction(placement)
+            << "Entry 'position': " << crossing.wide().c_str() << " Spheres are rigid,"
+            << " and this one can go nowhere. Check the units of the shape and the"
+            << " scale of the mesh." << exit(FatalIOError);
+    }
     if (crossing.nClumps())
     {
         IOWarningInFunction(placement)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceCrossing.H"
+#include "foamCompat.H"
 #include "packingRegion.H"
 #include "StringStream.H"
 
@@ -21,7 +22,8 @@ Foam::surfaceCrossing::surfaceCrossing
     clump_(-1),
     typeId_(-1),
     sphere_(-1),
-    centre_(Zero)
+    centre_(Zero),
+    width_(GREAT)
 {
     packingRegion region(dictionary(), mesh);
     region.update(ghosts);
@@ -38,13 +40,21 @@ Foam::surfaceCrossing::surfaceCrossing
             region.forEachSurface
             (
                 image.x[i], size,
-                [&](const scalar height, const vector&)
+                [&](const scalar height, const vector& away)
                 {
                     // A node of a membrane is outside as soon as it crosses
                     const scalar depth =
                         type.hasSurface()
                       ? (height < 0 ? 1 - height/r : scalar(0)) : (r - height)/r;
                     crosses = crosses || (depth > tolerance && !type.fixed());
+                    if (depth > tolerance && !type.fixed() && !type.hasSurface())
+                    {
+                        findOpposite
+                        (
+                            region, image, i, image.x[i] + (r - height)*away, away,
+                            tolerance
+                        );
+                    }
                     if (depth > depth_ && !type.fixed())
                     {
                         depth_ = depth;
@@ -63,8 +73,44 @@ Foam::surfaceCrossing::surfaceCrossing
 }
 
 
+void Foam::surfaceCrossing::findOpposite
+(
+    const packingRegion& region,
+    const clumpImage& image,
+    const label sphere,
+    const point& touching,
+    const vector& away,
+    const scalar tolerance
+)
+{
+    const scalar r = types_[image.typeId].radii()[sphere];
+    region.forEachSurface
+    (
+        touching, r,
+        [&](const scalar height, const vector& other)
+        {
+            if (height < (1 - tolerance)*r && (away & other) < -0.9 && width_ == GREAT)
+            {
+                width_ = r + height;
+                OStringStream os;
+                os  << "sphere " << sphere << " of clump " << image.id.second()
+                    << " of type " << types_[image.typeId].name() << " has a diameter of "
+                    << 2*r << " m, but the mesh has a width of " << width_
+                    << " m at " << image.x[sphere] << '.';
+                wide_ = os.str();
+            }
+        }
+    );
+}
+
+
 void Foam::surfaceCrossing::keepDeepest()
 {
+    reduceWhole
+    (
+        wide_, [](string& a, const string& b) { if (a.empty()) { a = b; } }
+    );
+
     const scalar deepest = returnReduce(depth_, maxOp<scalar>());
     const label owner = returnReduce
     (

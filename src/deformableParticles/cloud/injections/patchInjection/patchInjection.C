@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "patchInjection.H"
+#include "foamCompat.H"
 #include "givenRotation.H"
 #include "placement.H"
 #include "randomSeed.H"
@@ -130,6 +131,34 @@ Foam::scalarField Foam::patchInjection::chances() const
         }
     }
     reduce(largest, maxOp<scalar>());
+
+    // Of several patches each one has its part of the inflow, also one through which
+    // fluid leaves elsewhere
+    const scalar all = sum(flows_);
+    if (byFlux_ && phi && flows_.size() > 1 && all > 0)
+    {
+        largest = 0;
+        label k = 0;
+        for (const label patchi : patches_)
+        {
+            const polyPatch& patch = mesh.boundaryMesh()[patchi];
+            SubList<scalar> ofPatch(result, patch.size(), patch.start() - first);
+            scalar gross = 0;
+            forAll(patch, i)
+            {
+                gross += ofPatch[i]*mag(mesh.faceAreas()[patch.start() + i]);
+            }
+            reduce(gross, sumOp<scalar>());
+            const scalar part = gross > 0 ? flows_[k]/gross : scalar(0);
+            for (scalar& chance : ofPatch)
+            {
+                chance *= part;
+                largest = max(largest, chance);
+            }
+            ++k;
+        }
+        reduce(largest, maxOp<scalar>());
+    }
     if (largest > 0)
     {
         result /= largest;
@@ -138,15 +167,20 @@ Foam::scalarField Foam::patchInjection::chances() const
 }
 
 
-Foam::scalar Foam::patchInjection::inflow() const
+void Foam::patchInjection::findFlows()
 {
     const auto* phi = site_.mesh.findObject<surfaceScalarField>("phi");
-    scalar sum = 0;
+    flows_.setSize(patches_.size());
+    label k = 0;
     for (const label patchi : patches_)
     {
-        sum -= phi ? Foam::sum(phi->boundaryField()[patchi]) : scalar(0);
+        flows_[k++] = phi ? -sum(phi->boundaryField()[patchi]) : scalar(0);
     }
-    return max(returnReduce(sum, sumOp<scalar>()), scalar(0));
+    reduceList(flows_, plusEqOp<scalar>());
+    for (scalar& flow : flows_)
+    {
+        flow = max(flow, scalar(0));
+    }
 }
 
 
@@ -174,6 +208,7 @@ void Foam::patchInjection::inject
     const putAction& action
 )
 {
+    findFlows();
     due_ = due(clumps, due_);
     label sum = 0;
     while (nWaiting() > 0)
@@ -235,7 +270,8 @@ Foam::label Foam::patchInjection::injectSome
                 clumpCandidate& c = candidates.last();
                 c.patchi = h.patchi;
                 c.inwards = h.inwards;
-                c.position += max(radii - (c.state.x & c.inwards))*c.inwards;
+                const scalarField ahead(radii - (c.state.x & c.inwards));
+                c.position += max(ahead)*c.inwards;
             }
         }
         starts[n + 1] = candidates.size();

@@ -48,7 +48,8 @@ Foam::freePlaces::freePlaces
     shifts_(ghosts.shifts()),
     inlets_(inlets),
     region_(region),
-    gap_(gap)
+    gap_(gap),
+    nFitting_(0)
 {}
 
 
@@ -149,7 +150,7 @@ void Foam::freePlaces::test
         label index = 0;
         for (const clumpParcel& p : clumps)
         {
-            if (!result[blocked] && box.overlaps(boxes[index]))
+            if (!result[blocked] && !result[met] && box.overlaps(boxes[index]))
             {
                 clumpCandidate other;
                 other.typeId = p.typeId();
@@ -157,7 +158,7 @@ void Foam::freePlaces::test
                 other.state.x = p.state().x;
                 if (overlap(other, c, types_, gap_, shift))
                 {
-                    result[blocked] = 1;
+                    result[met] = 1;
                 }
             }
             ++index;
@@ -215,6 +216,7 @@ Foam::labelList Foam::freePlaces::find
         }
     }
 
+    nFitting_ = 0;
     labelList owners(candidates.size(), -1);
     forAll(candidates, k)
     {
@@ -224,6 +226,8 @@ Foam::labelList Foam::freePlaces::find
         {
             isFree = isFree && result[i] > 0;
         }
+        nFitting_ += isFree;
+        isFree = isFree && !result[met];
         for (label other = 0; isFree && allWanted && other < k; ++other)
         {
             isFree =

@@ -4,11 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "patchInjection.H"
+#include "FlatOutput.H"
 #include "foamCompat.H"
 #include "givenRotation.H"
 #include "placement.H"
 #include "randomSeed.H"
 #include "surfaceFields.H"
+#include "volFields.H"
 #include "uniformRotation.H"
 #include <cmath>
 
@@ -202,6 +204,99 @@ Foam::label Foam::patchInjection::nWaiting() const
 }
 
 
+void Foam::patchInjection::checkFlow()
+{
+    const auto* U = site_.mesh.findObject<volVectorField>("U");
+    if (!byFlux_ || !U || activeTime() <= 0 || nStill_ < 0)
+    {
+        return;
+    }
+    if (inflow() > 0)
+    {
+        nStill_ = -1;
+        return;
+    }
+    wordList names;
+    bool closed = true;
+    for (const label patchi : patches_)
+    {
+        const fvPatchVectorField& u = U->boundaryField()[patchi];
+        const word& type = u.type();
+        closed = closed
+         && (type == "noSlip" || type == "slip" || type == "fixedValue")
+         && gMax(scalarField(-(u & u.patch().nf()))) <= 0;
+        names.append(u.patch().name());
+    }
+    if (closed)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'patches': the velocity that 0/U gives on " << flatOutput(names)
+            << " does not enter the mesh, so that no clump can ever come in. With the"
+            << " weighting uniform and a velocity they need no inflow."
+            << exit(FatalIOError);
+    }
+    if (++nStill_ == 10)
+    {
+        IOWarningInFunction(dict_)
+            << "Injection " << name() << ": in its first " << nStill_ << " steps there"
+            << " was no flow into the mesh through " << flatOutput(names) << ", and no"
+            << " clump can come in. Check the boundary conditions, and that the driving"
+            << " of the flow points inwards there." << endl;
+    }
+}
+
+
+void Foam::patchInjection::checkDemand(const scalar nDue)
+{
+    const scalar volume = inflow()*activeTime();
+    if (!steady() || volume <= 0 || nDense_ >= 10)
+    {
+        return;
+    }
+
+    // The densest packing of equal spheres
+    const scalar fraction = nDue*meanVolume()/volume;
+    if (fraction > 0.74 && ++nDense_ == 10)
+    {
+        IOWarningInFunction(dict_)
+            << "Injection " << name() << ": the clumps that are due have "
+            << fraction << " times the volume of the flow through the patches, which has"
+            << " no room for them: most of them will wait. Reduce the rate or the"
+            << " haematocrit." << endl;
+    }
+}
+
+
+void Foam::patchInjection::checkWidth(const label nPlaces)
+{
+    fits_ = fits_ || places_.nFitting() > 0;
+    if (fits_ || nTried_ >= 300)
+    {
+        return;
+    }
+    nTried_ += nPlaces;
+    if (nTried_ >= 300)
+    {
+        scalar widest = 0;
+        forAll(shares_, typei)
+        {
+            if (shares_[typei] > 0)
+            {
+                const clumpType& type = site_.types[typei];
+                widest = max(widest, boundBox(type.centres(), false).mag());
+                widest = max(widest, 2*max(type.radii()));
+            }
+        }
+        IOWarningInFunction(dict_)
+            << "Injection " << name() << ": a clump did not fit between the walls at"
+            << " any of the first " << nTried_ << " places at the patches, whose box has"
+            << " the sides " << lines_.box().span() << " m; the largest clump is about "
+            << widest << " m wide. It has to be smaller, or to enter in another"
+            << " orientation (axis and angle)." << endl;
+    }
+}
+
+
 void Foam::patchInjection::inject
 (
     Cloud<clumpParcel>& clumps,
@@ -209,7 +304,10 @@ void Foam::patchInjection::inject
 )
 {
     findFlows();
-    due_ = due(clumps, due_);
+    checkFlow();
+    const scalar before = due_;
+    due_ = due(clumps, before);
+    checkDemand(due_ - before);
     label sum = 0;
     while (nWaiting() > 0)
     {
@@ -270,14 +368,19 @@ Foam::label Foam::patchInjection::injectSome
                 clumpCandidate& c = candidates.last();
                 c.patchi = h.patchi;
                 c.inwards = h.inwards;
-                const scalarField ahead(radii - (c.state.x & c.inwards));
-                c.position += max(ahead)*c.inwards;
+                scalar behind = 0;
+                forAll(radii, i)
+                {
+                    behind = max(behind, radii[i] - (c.state.x[i] & c.inwards));
+                }
+                c.position += behind*c.inwards;
             }
         }
         starts[n + 1] = candidates.size();
     }
 
     const labelList owners(places_.find(candidates, clumps, false));
+    checkWidth(candidates.size());
     DynamicList<label> taken;
     for (label n = 0; n < number; ++n)
     {

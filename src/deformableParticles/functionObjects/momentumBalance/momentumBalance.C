@@ -131,6 +131,23 @@ Foam::vector Foam::functionObjects::momentumBalance::patchForces
     const auto& phi = mesh_.lookupObject<surfaceScalarField>("phi");
     const auto& nu = mesh_.lookupObject<volScalarField>("nu");
 
+    // What a force is compared with depends neither on the level of the pressure nor on
+    // the frame of reference
+    scalar level = 0;
+    scalar area = 0;
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (!patch.coupled())
+        {
+            level += sum(p.boundaryField()[patch.index()]*patch.magSf());
+            area += sum(patch.magSf());
+        }
+    }
+    reduce(level, sumOp<scalar>());
+    reduce(area, sumOp<scalar>());
+    level /= max(area, VSMALL);
+    const vector mean(U().weightedAverage(mesh_.V()).value());
+
     vector result(Zero);
     forAll(mesh_.boundary(), patchi)
     {
@@ -140,6 +157,7 @@ Foam::vector Foam::functionObjects::momentumBalance::patchForces
             continue;
         }
         const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        const vector S(gSum(patch.Sf()));
         const vector pressure
         (
             -gSum(p.boundaryField()[patchi]*patch.Sf())
@@ -148,13 +166,14 @@ Foam::vector Foam::functionObjects::momentumBalance::patchForces
         (
             gSum(nu.boundaryField()[patchi]*patch.magSf()*Up.snGrad())
         );
-        vector carried(Zero);
+        result += pressure + viscous;
+        size += mag(pressure + level*S) + mag(viscous);
         if (convection)
         {
-            carried = -gSum(phi.boundaryField()[patchi]*Up);
+            const vector carried(-gSum(phi.boundaryField()[patchi]*Up));
+            result += carried;
+            size += mag(carried + gSum(phi.boundaryField()[patchi])*mean);
         }
-        result += pressure + viscous + carried;
-        size += mag(pressure) + mag(viscous) + mag(carried);
     }
     return result;
 }
@@ -173,8 +192,10 @@ Foam::vector Foam::functionObjects::momentumBalance::sources
     if (convection)
     {
         const auto& phi = mesh_.lookupObject<surfaceScalarField>("phi");
-        result = gSum(V*fvc::div(phi)().primitiveField()*U.primitiveField());
-        size += mag(result);
+        const scalarField gain(V*fvc::div(phi)().primitiveField());
+        const vector mean(U().weightedAverage(mesh_.V()).value());
+        result = gSum(gain*U.primitiveField());
+        size += mag(result - gSum(gain)*mean);
     }
 
     PtrList<fv::option>& options = fv::options::New(mesh_);

@@ -356,6 +356,12 @@ int main(int argc, char* argv[])
     );
 
     warnOfOtherQuantity(*test, data, type);
+    for (const dictionary& variant : variants)
+    {
+        dictionary changed(type);
+        changed.merge(variant);
+        test->predict(changed, scalarField(1, 0.0));
+    }
     fit solution(*test, data, parameters, type, variants);
     const Eigen::VectorXd y
     (
@@ -382,6 +388,12 @@ int main(int argc, char* argv[])
     }
     writeLoads(folder, *test, data, solution, y);
 
+    if (solution.nRejected())
+    {
+        Info<< nl << "Rejected " << solution.nRejected()
+            << " candidates that are not admissible, the first "
+            << solution.firstRefusal().c_str() << nl;
+    }
     Info<< nl << data.points().size() << " points of " << data.file() << nl << nl;
     printParameters(parameters, y, sigma);
     printPoints(*test, data, solution, z);

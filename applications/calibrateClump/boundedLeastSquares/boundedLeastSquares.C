@@ -6,6 +6,18 @@
 #include "boundedLeastSquares.H"
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+namespace
+{
+
+double sumOfSquares(const Eigen::VectorXd& f)
+{
+    return f.size() ? f.squaredNorm() : std::numeric_limits<double>::max();
+}
+
+}
+
 
 Foam::boundedLeastSquares::boundedLeastSquares
 (
@@ -22,12 +34,13 @@ Foam::boundedLeastSquares::boundedLeastSquares
 
 Eigen::MatrixXd Foam::boundedLeastSquares::jacobian
 (
-    const Eigen::VectorXd& x
+    const Eigen::VectorXd& x,
+    const Eigen::VectorXd& fx
 ) const
 {
     // The equilibria are exact to 1e-10
     const double h = 1e-4;
-    Eigen::MatrixXd J;
+    Eigen::MatrixXd J(Eigen::MatrixXd::Zero(fx.size(), x.size()));
 
     for (int i = 0; i < x.size(); ++i)
     {
@@ -35,9 +48,21 @@ Eigen::MatrixXd Foam::boundedLeastSquares::jacobian
         plus[i] = std::min(x[i] + h, 1.0);
         minus[i] = std::max(x[i] - h, 0.0);
 
-        const Eigen::VectorXd change(f_(plus) - f_(minus));
-        J.conservativeResize(change.size(), x.size());
-        J.col(i) = change/(plus[i] - minus[i]);
+        Eigen::VectorXd above(f_(plus)), below(f_(minus));
+        if (!above.size())
+        {
+            above = fx;
+            plus[i] = x[i];
+        }
+        if (!below.size())
+        {
+            below = fx;
+            minus[i] = x[i];
+        }
+        if (plus[i] > minus[i])
+        {
+            J.col(i) = (above - below)/(plus[i] - minus[i]);
+        }
     }
     return J;
 }
@@ -94,12 +119,12 @@ double Foam::boundedLeastSquares::minimise(Eigen::VectorXd& x) const
 {
     const int n = x.size();
     Eigen::VectorXd f(f_(x));
-    double sum = f.squaredNorm();
+    double sum = sumOfSquares(f);
     double lambda = 1e-3;
 
-    for (int iteration = 0; iteration < maxIterations_; ++iteration)
+    for (int iteration = 0; f.size() && iteration < maxIterations_; ++iteration)
     {
-        const Eigen::MatrixXd J(jacobian(x));
+        const Eigen::MatrixXd J(jacobian(x, f));
         const Eigen::VectorXd g(J.transpose()*f);
         const Eigen::MatrixXd A(J.transpose()*J);
 
@@ -126,7 +151,7 @@ double Foam::boundedLeastSquares::minimise(Eigen::VectorXd& x) const
             const double predicted = sum - (f + J*d).squaredNorm();
             const Eigen::VectorXd xNew(x + d);
             const Eigen::VectorXd fNew(f_(xNew));
-            const double newSum = fNew.squaredNorm();
+            const double newSum = sumOfSquares(fNew);
             fall = sum - newSum;
 
             taken = predicted > 0 && fall > 1e-4*predicted;

@@ -24,7 +24,8 @@ Foam::fit::fit
     type_(type),
     variants_(variants),
     norm_(2),
-    nCalls_(0)
+    nCalls_(0),
+    nRejected_(0)
 {}
 
 
@@ -44,7 +45,70 @@ Foam::dictionary Foam::fit::type
 }
 
 
+Foam::string Foam::fit::refusal
+(
+    const Eigen::VectorXd& y,
+    Eigen::VectorXd& z
+) const
+{
+    string result;
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+    try
+    {
+        z = evaluate(y);
+    }
+    catch (const error& e)
+    {
+        result = e.message();
+        z = Eigen::VectorXd();
+    }
+    FatalError.throwExceptions(false);
+    FatalIOError.throwExceptions(false);
+    return result;
+}
+
+
+Foam::string Foam::fit::blamed(const Eigen::VectorXd& y) const
+{
+    const Eigen::VectorXd given(parameters_.start(type_));
+    string alone, together;
+    for (label i = 0; i < parameters_.size(); ++i)
+    {
+        if (y[i] == given[i])
+        {
+            continue;
+        }
+        const string name
+        (
+            ' ' + parameters_.name(i) + ' '
+          + Foam::name(parameters_.value(i, y[i]))
+        );
+        together += name;
+        Eigen::VectorXd other(y), z;
+        other[i] = given[i];
+        if (refusal(other, z).empty())
+        {
+            alone += name;
+        }
+    }
+    return alone.empty() ? together : alone;
+}
+
+
 Eigen::VectorXd Foam::fit::residuals(const Eigen::VectorXd& y) const
+{
+    Eigen::VectorXd z;
+    const string message(refusal(y, z));
+    if (!message.empty() && !nRejected_++)
+    {
+        refusal_ = "with" + blamed(y) + ": " + message;
+    }
+    return z;
+}
+
+
+Eigen::VectorXd Foam::fit::evaluate(const Eigen::VectorXd& y) const
 {
     const label n = data_.points().size();
     Eigen::VectorXd z(nVariants()*n);
@@ -121,7 +185,8 @@ Foam::List<Eigen::VectorXd> Foam::fit::starts(const label n)
     SortableList<scalar> sums(10*(n - 1));
     forAll(sums, k)
     {
-        sums[k] = values(parameters_.point(k + 1)).squaredNorm();
+        const Eigen::VectorXd f(values(parameters_.point(k + 1)));
+        sums[k] = f.size() ? f.squaredNorm() : GREAT;
     }
     sums.sort();
     for (label s = 1; s < n; ++s)
@@ -149,6 +214,11 @@ Eigen::VectorXd Foam::fit::run(const scalar norm, const label nStarts)
     {
         Eigen::VectorXd y(all[s]);
         scalar sum = minimise(y, 2);
+        if (sum >= GREAT)
+        {
+            Info<< s << tab << "not admissible" << nl;
+            continue;
+        }
         bool met = false;
         for (const auto& other : seen)
         {
@@ -184,6 +254,12 @@ Eigen::VectorXd Foam::fit::run(const scalar norm, const label nStarts)
         Info<< s << tab << z.norm()/Foam::sqrt(scalar(z.size())) << tab
             << z.cwiseAbs().maxCoeff() << endl;
     }
+    if (!best.size())
+    {
+        FatalErrorInFunction
+            << "None of the starts is admissible; the first error was "
+            << refusal_.c_str() << exit(FatalError);
+    }
     return best;
 }
 
@@ -199,7 +275,7 @@ Foam::scalarField Foam::fit::uncertainties(const Eigen::VectorXd& y)
             boundedLeastSquares
             (
                 [this](const Eigen::VectorXd& x){ return values(x); }, 0, 0
-            ).jacobian(y)
+            ).jacobian(y, values(y))
         );
 
         // By the values, relative; one at its bound is held there

@@ -115,26 +115,44 @@ word placedSource(PtrList<fv::option>& options, const volVectorField& U)
 }
 
 
-//- The name of the first function object that transports with phi
-word transport(const dictionary& controlDict)
+//- The first function object that needs a mesh at rest in the laboratory, and why
+string functionAtRest(const dictionary& controlDict)
 {
-    const wordHashSet types
+    const wordHashSet transports
     ({
         "scalarTransport", "energyTransport", "icoUncoupledKinematicCloud"
     });
+    const wordHashSet places
+    ({
+        "probes", "patchProbes", "sets", "surfaces", "fieldAverage", "columnAverage",
+        "streamLine", "wallBoundedStreamLine", "nearWallFields"
+    });
+    const wordHashSet regions({"cellZone", "faceZone", "sampledSurface"});
+
     const dictionary functions(controlDict.subOrEmptyDict("functions"));
     for (const word& name : functions.toc())
     {
-        const word type
-        (
-            functions.subOrEmptyDict(name).getOrDefault<word>("type", "")
-        );
-        if (types.found(type))
+        const dictionary dict(functions.subOrEmptyDict(name));
+        const word type(dict.getOrDefault<word>("type", ""));
+        const string object("function object " + name + " (" + type + ") ");
+        if (!dict.getOrDefault("enabled", true))
         {
-            return name;
+            continue;
+        }
+        if (transports.found(type))
+        {
+            return object + "transports with phi";
+        }
+        if
+        (
+            places.found(type)
+         || regions.found(dict.getOrDefault<word>("regionType", ""))
+        )
+        {
+            return object + "has places that would slide along with the mesh";
         }
     }
-    return word::null;
+    return string();
 }
 
 }
@@ -201,12 +219,7 @@ Foam::string Foam::slidingMesh::obstacle()
     {
         return "source " + found + " of fvOptions may depend on the place";
     }
-    found = transport(U.time().controlDict());
-    if (!found.empty())
-    {
-        return "function object " + found + " transports with phi";
-    }
-    return string();
+    return functionAtRest(U.time().controlDict());
 }
 
 

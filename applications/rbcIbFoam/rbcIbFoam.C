@@ -50,6 +50,7 @@ Description
 #include "rotationalCorrection.H"
 #include "runMonitor.H"
 #include "slidingMesh.H"
+#include "sourcesInBodies.H"
 #include "timeStepControl.H"
 
 int main(int argc, char* argv[])

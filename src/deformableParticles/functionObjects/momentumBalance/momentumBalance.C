@@ -8,6 +8,7 @@
 #include "deformableCloud.H"
 #include "meanVelocityGradient.H"
 #include "fvOptions.H"
+#include "sourcesInBodies.H"
 #include "fvcDiv.H"
 #include "surfaceFields.H"
 #include "addToRunTimeSelectionTable.H"
@@ -198,6 +199,8 @@ Foam::vector Foam::functionObjects::momentumBalance::sources
         size += mag(result - gSum(gain)*mean);
     }
 
+    const volScalarField& lambda =
+        mesh_.lookupObject<deformableCloud>(cloudName_).boundary().solidFraction();
     PtrList<fv::option>& options = fv::options::New(mesh_);
     for (fv::option& option : options)
     {
@@ -219,13 +222,10 @@ Foam::vector Foam::functionObjects::momentumBalance::sources
         }
         else
         {
-            fvVectorMatrix matrix(U, U.dimensions()*dimVolume/dimTime);
-            option.addSup(matrix, fieldi);
-            vectorField source(-matrix.source());
-            if (matrix.hasDiag())
-            {
-                source += matrix.diag()*U.primitiveField();
-            }
+            const vectorField source
+            (
+                sourcesInBodies::force(option, fieldi, U, lambda)
+            );
             force = gSum(source);
         }
         result += force;

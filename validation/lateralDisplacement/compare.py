@@ -4,6 +4,8 @@ from results import Results, plt, read, save
 
 PERIOD, RADIUS = 20, 5          # of the array of posts [um]
 GAP = PERIOD - 2*RADIUS
+SETTLED = 0.01                  # rise from a post to the next that is one of the step [um]
+MODES = {1: "displaced", 0: "with the flow", 0.5: "undecided"}
 SOURCE = "Davis 2008: critical diameter 1.4 G e^0.48"
 
 rows = read("data.csv")
@@ -20,9 +22,23 @@ def path(row):
 
 
 def displaced(places):
-    """A displaced particle stays below the posts of its row; the other ones pass above one."""
-    posts = int(places[-1].real/PERIOD)
-    return all(z.imag < 0 for z in places), posts
+    """1: displaced, 0: with the flow, 0.5: undecided; and the number of posts passed.
+
+    A particle that passes above a post goes with the flow. Paths do not cross: one that is below a
+    post not higher than below the post before never comes above one. One that is still rising may.
+    """
+    posts = [k for k in range(len(places)) if places[-1].real > PERIOD*k >= places[0].real]
+    if any(z.imag >= 0 for z in places):
+        return 0, len(posts)
+
+    def below(post):
+        after = next(k for k, z in enumerate(places) if z.real > PERIOD*post)
+        a, b = places[after - 1], places[after]
+        return a.imag + (b.imag - a.imag)*(PERIOD*post - a.real)/(b.real - a.real)
+
+    heights = [below(post) for post in posts]
+    settled = any(b - a < SETTLED for a, b in zip(heights, heights[1:]))
+    return (1 if settled else 0.5), len(posts)
 
 
 modes, paths = {}, {}
@@ -44,7 +60,7 @@ for row in rows:
     if row["mirror"] != 1:
         settings.append("mirrored")
     is_displaced, posts = displaced(places)
-    print(f"{', '.join([scene] + settings)}: {'displaced' if is_displaced else 'with the flow'}, "
+    print(f"{', '.join([scene] + settings)}: {MODES[is_displaced]}, "
           f"{posts} posts, ends at {places[-1].real:.1f} {places[-1].imag:.2f} um, "
           f"{row['seconds']:g} s")
     modes[scene, tuple(settings)] = is_displaced
@@ -68,13 +84,13 @@ for row in rows:
         continue
     if row["particle"] == "sphere":
         critical = 1.4*GAP*row["slope"]**0.48
-        results.add(f"displaced: {name}", int(is_displaced), "",
+        results.add(f"displaced: {name}", is_displaced, "",
                     int(row["diameter_um"] > critical), "0", SOURCE)
     elif settings:
-        results.add(f"displaced: {name}", int(is_displaced), "",
-                    int(modes[scene, ()]), "0", "the whole step")
+        results.add(f"displaced: {name}", is_displaced, "",
+                    modes[scene, ()], "0", "the whole step")
     else:
-        results.report(f"displaced: {name}", int(is_displaced), "", "")
+        results.report(f"displaced: {name}", is_displaced, "", "")
 
 for column in range(7):
     for line in range(-1, 3):

@@ -94,8 +94,40 @@ TEST_CASE("migration: a restart continues a path", "[tables][serial]")
 
 TEST_CASE("migration: modes among posts", "[tables][serial]")
 {
-    CHECK(clumpMigration::mode(1.1) == "displaced");
-    CHECK(clumpMigration::mode(0.5) == "between");
-    CHECK(clumpMigration::mode(0) == "withFlow");
-    CHECK(clumpMigration::mode(-0.2) == "withFlow");
+    CHECK(clumpMigration::mode(1.1, 10, 10) == "displaced");
+    CHECK(clumpMigration::mode(0.5, 10, 10) == "between");
+    CHECK(clumpMigration::mode(0, 12, 10) == "withFlow");
+    CHECK(clumpMigration::mode(-0.2, 10, 10) == "withFlow");
+
+    // It may not have met the post yet that lets it cross
+    const scalar displacement = GENERATE(1.0, 0.5, 0.0, -3.0);
+    CHECK(clumpMigration::mode(displacement, 9.9, 10) == "undecided");
+}
+
+
+TEST_CASE("migration: with the flow among posts at any time", "[tables][serial]")
+{
+    // Along a row for nine periods, then across it in one: withFlow over whole tens of
+    // periods, and never displaced
+    const scalar e = 0.1;
+    pathWindow path;
+    for (label n = 0; n <= 3000; ++n)
+    {
+        const scalar x = 0.01*n;
+        const scalar way = std::fmod(x, 10);
+        path.add(vector(x, x, way < 9 ? -e*way : -0.9 + 0.9*(way - 9)), 12);
+        if (n > 1)
+        {
+            const word mode
+            (
+                clumpMigration::mode
+                (
+                    -path.inclination(path.way() < 1/e ? GREAT : 1/e)/e,
+                    path.way(), 1/e
+                )
+            );
+            INFO(x << ' ' << mode);
+            REQUIRE(mode == (path.way() < 1/e ? "undecided" : "withFlow"));
+        }
+    }
 }

@@ -16,7 +16,8 @@ from clumpTables import table
 
 PERIOD, RADIUS, TANGENT = 20, 5, 0.1        # of the array [um], of the flow
 GAP = PERIOD - 2*RADIUS
-MODES = {"displaced": "displaced", "withFlow": "with the flow", "between": "between the modes"}
+MODES = {"displaced": "displaced", "withFlow": "with the flow", "between": "between the modes",
+         "undecided": "undecided"}
 
 figure, axes = plt.subplots(figsize=(9, 4))
 highest, longest = 0, 0
@@ -28,9 +29,10 @@ for diameter in sorted(sys.argv[1:], key=float):
     turn = 1e6*(1 + 1j*TANGENT)/abs(1 + 1j*TANGENT)
     path = [(z.real, z.imag) for z in (turn*(r["along"] + 1j*r["across"]) for r in run)]
     way = path[-1][0] - path[0][0]
-    rows.append((diameter, mode, round(way, 2), round(path[-1][1] - path[0][1], 2),
-                 round(run[-1]["displacement"], 2)))
-    print("%s um: %s, %.0f um along the rows" % (diameter, mode, way))
+    rows.append((diameter, mode, round(run[-1]["periods"], 1), round(way, 2),
+                 round(path[-1][1] - path[0][1], 2), round(run[-1]["displacement"], 2)))
+    print("%s um: %s after %.1f posts, %.0f um along the rows"
+          % (diameter, mode, run[-1]["periods"], way))
     axes.plot(*zip(*path), label="%s um" % diameter)
     longest = max(longest, path[-1][0])
     highest = max(highest, max(y for _, y in path))
@@ -38,7 +40,7 @@ print("the smallest that Davis (2008) expects to be displaced: %.1f um" % (1.4*G
 
 with open("result.csv", "w", newline="") as out:
     result = csv.writer(out)
-    result.writerow(["diameter_um", "mode", "along_um", "across_um", "displacement"])
+    result.writerow(["diameter_um", "mode", "posts", "along_um", "across_um", "displacement"])
     result.writerows(rows)
 
 for i in range(math.ceil(longest/PERIOD) + 1):

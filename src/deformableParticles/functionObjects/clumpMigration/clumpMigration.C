@@ -35,6 +35,7 @@ Foam::functionObjects::clumpMigration::clumpMigration
     window_(0),
     length_(0),
     shift_(0),
+    crossing_(0),
     stopPeriods_(0),
     stopDrift_(0)
 {
@@ -50,7 +51,7 @@ bool Foam::functionObjects::clumpMigration::read(const dictionary& dict)
         dict,
         {
             "cloud", "clump", "mean", "flow", "gradient", "window", "period",
-            "stopAfterPeriods", "stopAtDrift"
+            "rowDistance", "stopAfterPeriods", "stopAtDrift"
         },
         functionObjectEntries()
     );
@@ -75,6 +76,13 @@ bool Foam::functionObjects::clumpMigration::read(const dictionary& dict)
             << "Entry 'period' is " << period << "; a row of posts must be"
             << " inclined to the flow " << axes_.flow << " in the plane of the"
             << " gradient " << axes_.gradient << '.' << exit(FatalIOError);
+    }
+    if (inclined)
+    {
+        const scalar distance =
+            getPositiveOrDefault(dict, "rowDistance", mag(period));
+        crossing_ =
+            distance*Foam::sqrt(sqr(length_) + sqr(shift_))/(length_*mag(shift_));
     }
 
     stopPeriods_ = getNonNegativeOrDefault(dict, "stopAfterPeriods", 0);
@@ -255,11 +263,14 @@ bool Foam::functionObjects::clumpMigration::execute()
 
 Foam::word Foam::functionObjects::clumpMigration::mode
 (
-    const scalar displacement
+    const scalar displacement,
+    const scalar periods,
+    const scalar crossing
 )
 {
     return
-        displacement > 0.75 ? "displaced"
+        periods < crossing ? "undecided"
+      : displacement > 0.75 ? "displaced"
       : displacement < 0.25 ? "withFlow"
       : "between";
 }
@@ -282,9 +293,12 @@ Foam::functionObjects::clumpMigration::header() const
         result
            .add("periods").add("shift", "m").add("displacement").add("mode")
            .explain("periods shift", "way along over the period of the posts, and lateral"
-                " shift per period")
+                " shift per period over the window, or over the part of it in which the"
+                " stream crosses a whole number of rows")
            .explain("displacement mode", "shift over that of the rows of posts: displaced"
-                " above 3/4, withFlow below 1/4, or between");
+                " above 3/4, withFlow below 1/4, or between; undecided while the window"
+                " has less than " + Foam::name(crossing_) + " periods, after which the"
+                " stream has crossed a row");
     }
     return result;
 }
@@ -303,10 +317,10 @@ Foam::scalarList Foam::functionObjects::clumpMigration::values
     });
     if (length_)
     {
-        // Comparisons with nan are floating point exceptions
-        const bool moves = !std::isnan(u) && mag(u) > VSMALL;
-        const scalar s =
-            moves ? length_*v/u : std::numeric_limits<scalar>::quiet_NaN();
+        // Over as many crossings of rows as the window has
+        const scalar n = std::floor(path.way()/(crossing_*length_));
+        const scalar way = n > 0 ? n*crossing_*length_ : GREAT;
+        const scalar s = length_*path.inclination(way);
         result.append((path.last().y() - path.begin().y())/length_);
         result.append(s);
         result.append(s/shift_);
@@ -320,7 +334,8 @@ void Foam::functionObjects::clumpMigration::writeRow
     Ostream& os,
     const label id,
     const word& type,
-    const scalarList& row
+    const scalarList& row,
+    const scalar periods
 ) const
 {
     os << time_.timeOutputValue() << '\t' << id << '\t' << type;
@@ -331,7 +346,11 @@ void Foam::functionObjects::clumpMigration::writeRow
     if (length_)
     {
         os  << '\t'
-            << (std::isnan(row.last()) ? word("nan") : mode(row.last()));
+            <<
+            (
+                std::isnan(row.last())
+              ? word("nan") : mode(row.last(), periods, crossing_)
+            );
     }
     os << nl;
 }
@@ -345,10 +364,14 @@ bool Foam::functionObjects::clumpMigration::write()
     }
     Ostream& os = table_.open(header());
     scalarList means;
+    scalar least = GREAT;
     for (const auto& f : followers_)
     {
-        const scalarList row(values(f.second.path));
-        writeRow(os, f.first, f.second.type, row);
+        const pathWindow& path = f.second.path;
+        const scalarList row(values(path));
+        const scalar periods = length_ ? path.way()/length_ : 0;
+        least = min(least, periods);
+        writeRow(os, f.first, f.second.type, row, periods);
         means.setSize(row.size(), 0);
         forAll(row, i)
         {
@@ -357,7 +380,7 @@ bool Foam::functionObjects::clumpMigration::write()
     }
     if (mean_ && means.size())
     {
-        writeRow(os, -1, "mean", means);
+        writeRow(os, -1, "mean", means, least);
     }
     table_.flush();
     return true;

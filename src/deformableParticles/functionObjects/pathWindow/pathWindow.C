@@ -71,6 +71,23 @@ bool Foam::functionObjects::pathWindow::full(const scalar window) const
 }
 
 
+Foam::scalar Foam::functionObjects::pathWindow::inclination
+(
+    const scalar way
+) const
+{
+    label k = points_.size() - 1;
+    while (k > 0 && mag(last().y() - points_[k].y()) < way)
+    {
+        --k;
+    }
+    const vector d(last() - points_[k]);
+    return
+        mag(d.y()) > VSMALL
+      ? d.z()/d.y() : std::numeric_limits<scalar>::quiet_NaN();
+}
+
+
 Foam::scalar Foam::functionObjects::pathWindow::slope
 (
     const direction component

@@ -42,6 +42,7 @@ Description
 #include "clumpTotals.H"
 #include "convectionCriterion.H"
 #include "couplingIteration.H"
+#include "heldMeanVelocity.H"
 #include "incompressibleFlow.H"
 #include "meshCheck.H"
 #include "meshRefinement.H"

@@ -34,13 +34,14 @@ Foam::couplingIteration::couplingIteration
 (
     deformableCloud& cloud,
     incompressibleFlow& flow,
+    const heldMeanVelocity& held,
     const bool clumpsFollow
 )
 :
     cloud_(cloud),
     flow_(flow),
     clumpsFollow_(clumpsFollow && flow.solved() && cloud.coupled()),
-    residual_(cloud, flow),
+    residual_(cloud, flow, held),
     tolerance_(0),
     nCorrectors_(0),
     withoutClumps_(false),

@@ -135,5 +135,10 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 
     const scalar change = powers[0] + flow.change;
     const scalar size = max(powers[1] + flow.before, powers[2] + flow.after);
-    return Foam::sqrt(max(worst, change/max(size, sqr(least)*flow.viscosity)));
+    const scalar floor = sqr(least)*flow.viscosity;
+    worst = max(worst, change/max(size, floor));
+
+    const heldMeanVelocity::power gradients(held_.ofGradients());
+    const scalar pressure = gradients.size + max(flow.before, flow.after);
+    return Foam::sqrt(max(worst, gradients.change/max(pressure, floor)));
 }

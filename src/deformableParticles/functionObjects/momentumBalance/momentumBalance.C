@@ -216,7 +216,7 @@ Foam::vector Foam::functionObjects::momentumBalance::sources
             const auto& drive = refCast<const fv::meanVelocityGradient>(option);
             for (const label celli : drive.cells())
             {
-                force += V[celli]*drive.used();
+                force += V[celli]*drive.gradient();
             }
             reduce(force, sumOp<vector>());
         }

@@ -5,13 +5,9 @@
 
 #include "meanVelocityGradient.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvmLaplacian.H"
-#include "fvmSup.H"
 #include "volFields.H"
 #include "fvMatrices.H"
-#include "zeroGradientFvPatchFields.H"
 #include "basicSymmetryFvPatchFields.H"
-#include "fixedValueFvPatchFields.H"
 #include "FlatOutput.H"
 #include "foamCompat.H"
 #include "checkedEntries.H"
@@ -57,14 +53,9 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     Ubar_(Zero),
     others_(false),
     gradient_(Zero),
-    used_(Zero),
-    mean_(Zero),
-    response_(0),
-    responseStep_(0),
-    fresh_(true),
     index_(-1),
-    corrected_(-GREAT),
-    start_({Zero, Zero, true}),
+    start_(Zero),
+    held_(-1),
     state_
     (
         IOobject
@@ -96,23 +87,17 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
     checkEntries(dict, {"Ubar", "free", typeName + "Coeffs"}, fvOptionEntries());
     readMeanVelocity(dict);
 
-    if (state_.headerOk())
+    if (state_.found("gradient"))
     {
-        // Former versions wrote the components along Ubar
-        const vector along(Ubar_/max(mag(Ubar_), VSMALL));
-        const auto read = [&](const word& key, const vector& otherwise)
-        {
-            return
-                !state_.found(key) ? otherwise
-              : state_.lookup(key)[0].isNumber()
-              ? vector(state_.get<scalar>(key)*along)
-              : state_.get<vector>(key);
-        };
-        gradient_ = read("gradient", Zero);
-        mean_ = read("mean", Ubar_);
-        state_.readIfPresent("response", response_);
-        state_.readIfPresent("responseStep", responseStep_);
-        fresh_ = false;
+        // Former versions wrote the component along Ubar
+        gradient_ =
+            state_.lookup("gradient")[0].isNumber()
+          ? vector(state_.get<scalar>("gradient")*normalised(Ubar_))
+          : state_.get<vector>("gradient");
+    }
+    for (const word key : {"response", "responseStep"})
+    {
+        state_.remove(key);
     }
 }
 
@@ -125,7 +110,7 @@ void Foam::fv::meanVelocityGradient::readMeanVelocity(const dictionary& dict)
 }
 
 
-Foam::tensor Foam::fv::meanVelocityGradient::heldDirections() const
+Foam::List<Foam::vector> Foam::fv::meanVelocityGradient::heldDirections() const
 {
     DynamicList<vector> periods;
     bool alongOnly = freeDirections(periods);
@@ -183,20 +168,20 @@ Foam::tensor Foam::fv::meanVelocityGradient::heldDirections() const
             }
         }
     }
-    tensor held(Zero);
-    for (label k = nFree; k < axes.size(); ++k)
-    {
-        held += axes[k]*axes[k];
-    }
-
+    const List<vector> held(SubList<vector>(axes, axes.size() - nFree, nFree));
     refuseFixed(held);
     return held;
 }
 
 
-void Foam::fv::meanVelocityGradient::refuseFixed(const tensor& held) const
+void Foam::fv::meanVelocityGradient::refuseFixed(const UList<vector>& held) const
 {
-    if (mag(Ubar_ - (held & Ubar_)) > 1e-6*mag(Ubar_))
+    vector rest(Ubar_);
+    for (const vector& d : held)
+    {
+        rest -= (Ubar_ & d)*d;
+    }
+    if (mag(rest) > 1e-6*mag(Ubar_))
     {
         FatalIOErrorInFunction(coeffs_)
             << "Entry 'Ubar' is " << Ubar_ << ", but the boundary conditions fix"
@@ -205,7 +190,7 @@ void Foam::fv::meanVelocityGradient::refuseFixed(const tensor& held) const
             << " patches. The gradient would grow without limit."
             << exit(FatalIOError);
     }
-    if (tr(held) == 0)
+    if (held.empty())
     {
         FatalIOErrorInFunction(coeffs_)
             << "Entry 'Ubar' is " << Ubar_ << ", but no component of the mean"
@@ -238,7 +223,7 @@ bool Foam::fv::meanVelocityGradient::freeDirections
         (
             !polyPatch::constraintType(patch.type())
          && !isA<basicSymmetryFvPatchVectorField>(pf)
-         && !pf.fixesValue()
+         && pf.assignable()
         )
         {
             others = true;
@@ -285,125 +270,46 @@ bool Foam::fv::meanVelocityGradient::findOthers(const dictionary& dict) const
 }
 
 
-Foam::scalar Foam::fv::meanVelocityGradient::findResponse
-(
-    const volVectorField& U
-) const
+void Foam::fv::meanVelocityGradient::refuseIdle(const scalar response) const
 {
-    wordList patchTypes
-    (
-        U.boundaryField().size(), zeroGradientFvPatchScalarField::typeName
-    );
-    forAll(patchTypes, patchi)
+    if (!(response > 0))
     {
-        const fvPatchVectorField& pf = U.boundaryField()[patchi];
-        if (pf.coupled() || polyPatch::constraintType(pf.patch().type()))
-        {
-            patchTypes[patchi] = pf.patch().type();
-        }
-        else if (pf.fixesValue())
-        {
-            patchTypes[patchi] = fixedValueFvPatchScalarField::typeName;
-        }
+        FatalIOErrorInFunction(coeffs_)
+            << "A gradient in this source changes the mean velocity by " << response
+            << " m/s per m/s2: it cannot hold Ubar " << Ubar_ << ". The source acts on "
+            << returnReduce(cells_.size(), sumOp<label>()) << " mesh cells."
+            << exit(FatalIOError);
     }
-
-    volScalarField w
-    (
-        IOobject(name_ + "_response", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimTime, Zero),
-        patchTypes
-    );
-    const auto& nu = mesh_.lookupObject<volScalarField>("nu");
-
-    const dimensionedScalar rate(1/mesh_.time().deltaT());
-    fvScalarMatrix equation
-    (
-        (density() ? fvm::Sp(rate*(*density()), w) : fvm::Sp(rate, w))
-      - fvm::laplacian(nu, w)
-     == dimensionedScalar("one", dimless, 1)
-    );
-
-    dictionary solver;
-    solver.add("solver", word("PCG"));
-    solver.add("preconditioner", word("DIC"));
-    solver.add("tolerance", 1e-14);
-    solver.add("relTol", 1e-12);
-    equation.solve(solver);
-
-    return gSum(w.primitiveField()*mesh_.V())/gSum(mesh_.V());
-}
-
-
-const Foam::volScalarField* Foam::fv::meanVelocityGradient::density() const
-{
-    return mesh_.cfindObject<volScalarField>("densityFactor");
-}
-
-
-Foam::vector Foam::fv::meanVelocityGradient::meanOf
-(
-    const volVectorField& U
-) const
-{
-    return gSum(U.primitiveField()*mesh_.V())/gSum(mesh_.V());
-}
-
-
-void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
-{
-    adjust(U);
-    corrected_ = mesh_.time().value();
 }
 
 
 void Foam::fv::meanVelocityGradient::beginStep()
 {
     const label index = mesh_.time().timeIndex();
-    if (index != index_)
+    if (index == index_)
     {
-        start_ = {gradient_, mean_, fresh_};
-        index_ = index;
+        gradient_ = start_;
     }
-    else if (mesh_.time().value() < corrected_)
-    {
-        // The step is repeated and ends earlier (see repeatedStep)
-        gradient_ = start_.gradient;
-        mean_ = start_.mean;
-        fresh_ = start_.fresh;
-        corrected_ = -GREAT;
-    }
+    start_ = gradient_;
+    index_ = index;
 }
 
 
-void Foam::fv::meanVelocityGradient::adjust(const volVectorField& U)
+void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
 {
-    const scalar dt = mesh_.time().deltaTValue();
-    if (mag(dt - responseStep_) > 0.1*responseStep_)
+    if (held_ != mesh_.time().timeIndex())
     {
-        response_ = findResponse(U);
-        responseStep_ = dt;
+        FatalIOErrorInFunction(coeffs_)
+            << "The source " << name_ << " of type " << typeName << " needs the solver"
+            << " rbcIbFoam, which finds its gradient together with the flow. Use the"
+            << " type meanVelocityForce with other solvers." << exit(FatalIOError);
     }
-
-    const vector mean(meanOf(U));
-    const scalar dense =
-        density()
-      ? gSum(density()->primitiveField()*mesh_.V())/gSum(mesh_.V()) : 1;
-    const vector kept
-    (
-        fresh_ ? vector::zero : dense*response_/dt*(mean - mean_)
-    );
-    gradient_ += heldDirections() & (Ubar_ - mean - kept)/response_;
-    mean_ = mean;
-    fresh_ = false;
-
-    Info<< "Mean velocity = " << mean << ", pressure gradient = "
-        << gradient_ << endl;
+    const scalarField& V = mesh_.V();
+    const vector mean(gSum(V*U.primitiveField())/gSum(V));
+    Info<< "Mean velocity = " << mean << ", pressure gradient = " << gradient_ << endl;
 
     setExact(state_, "gradient", gradient_);
-    setExact(state_, "mean", mean_);
-    setExact(state_, "response", response_);
-    setExact(state_, "responseStep", responseStep_);
+    setExact(state_, "mean", mean);
 }
 
 
@@ -413,12 +319,6 @@ void Foam::fv::meanVelocityGradient::addSup
     const label
 )
 {
-    beginStep();
-    if (fresh_)
-    {
-        adjust(mesh_.lookupObject<volVectorField>(fieldNames_[0]));
-    }
-    used_ = gradient_;
     for (const label celli : cells_)
     {
         eqn.source()[celli] -= mesh_.V()[celli]*gradient_;

@@ -238,7 +238,7 @@ Foam::incompressibleFlow::incompressibleFlow
 
     if (solved_)
     {
-        unsolvedPhysics::refuseDriving(*options_, nu());
+        unsolvedPhysics::refuseDriving(*options_);
         solverSettings::check(*p_);
         solverSettings::check(*U_, iterates);
         if (control_->dict().getOrDefault<Switch>("carryPressure", true))

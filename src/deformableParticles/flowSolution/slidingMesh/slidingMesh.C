@@ -93,7 +93,7 @@ word placedSource(PtrList<fv::option>& options, const volVectorField& U)
 {
     const wordHashSet anywhere
     ({
-        "meanVelocityGradient", "meanVelocityForce", "vectorSemiImplicitSource"
+        "meanVelocityGradient", "vectorSemiImplicitSource"
     });
     for (fv::option& option : options)
     {

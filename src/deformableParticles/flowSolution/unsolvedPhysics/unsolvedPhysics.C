@@ -157,27 +157,21 @@ void Foam::unsolvedPhysics::refuseSwitches(const dictionary& control)
 }
 
 
-void Foam::unsolvedPhysics::refuseDriving
-(
-    const fv::optionList& options,
-    const volScalarField& nu
-)
+void Foam::unsolvedPhysics::refuseDriving(const PtrList<fv::option>& options)
 {
-    const fvMesh& mesh = nu.mesh();
-    const scalar viscousNumber =
-        mesh.time().deltaTValue()*gMax(nu.primitiveField())
-       /sqr(Foam::cbrt(gMin(mesh.V())));
-
     for (const fv::option& option : options)
     {
-        if (option.type() == "meanVelocityForce" && viscousNumber > 12)
+        const word& type = option.type();
+        const bool holds =
+            type == "meanVelocityForce" || type == "patchMeanVelocityForce";
+        if (option.active() && holds)
         {
             FatalErrorInFunction
-                << "The fvOption " << option.name() << " is a meanVelocityForce, which"
-                << " is unstable here: the viscous number nu dt/dx^2 is "
-                << viscousNumber << ", above 12." << nl
-                << "    Set type meanVelocityGradient, with the same Ubar and fields."
-                << exit(FatalError);
+                << "The fvOption " << option.name() << " is a " << type << ", which does"
+                << " not know how the viscosity and the clumps hold the flow back: the mean"
+                << " velocity oscillates, and grows where nu dt/dx^2 is above 1/6." << nl
+                << "    Set type meanVelocityGradient, with the same Ubar and fields, and"
+                << " remove relaxation and patch." << exit(FatalError);
         }
     }
 }

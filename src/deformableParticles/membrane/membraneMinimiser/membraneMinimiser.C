@@ -104,10 +104,10 @@ bool Foam::membraneMinimiser::minimise
     const potential& phi,
     membraneFactors& factors,
     vectorField& y,
-    const scalar reduction
+    const scalar reduction,
+    const label most
 ) const
 {
-    constexpr label most = 100;
     constexpr scalar tolerance = 1e-6;
     scalar& p = factors.pressure;
     scalar change = GREAT;

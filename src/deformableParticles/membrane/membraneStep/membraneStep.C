@@ -15,6 +15,12 @@ using namespace Foam;
 constexpr scalar ofNormals = 0.25;
 constexpr scalar ofAll = 0.05;
 
+//- Largest eigenvalue of L in a hexagonal lattice, over 8 mu d/sqrt(3)
+constexpr scalar shortest = 9;
+
+//- Iterations, several times what a step with a solution takes
+constexpr label most = 50;
+
 //- w of the resistance at what is at rest
 constexpr scalar atWalls = 4;
 
@@ -165,6 +171,22 @@ Foam::symmTensorField Foam::membraneStep::resistances
 }
 
 
+Foam::scalarField Foam::membraneStep::resistancesOfAll
+(
+    const nodeFlow& flow,
+    const scalarField& smeared,
+    const scalar mu,
+    const scalar d
+) const
+{
+    const scalarField zeta(8*mu*flow.areas/mechanics_.type().halfWidth());
+    const scalar edge = ofAll*8*mu*d/Foam::sqrt(scalar(3));
+
+    // (1/zeta + S)^-1 and L do not exceed 1/S together
+    return edge*min(scalar(1), 1/(smeared*shortest*edge*(1 + smeared*zeta)));
+}
+
+
 Foam::scalar Foam::membraneStep::addResistance
 (
     const problem& step,
@@ -174,7 +196,6 @@ Foam::scalar Foam::membraneStep::addResistance
 ) const
 {
     const scalar kn = ofNormals*step.edgeK;
-    const scalar k = ofAll*step.edgeK;
 
     vectorField force(step.K & strayed);
     for (const closedSurface::hinge& h : surface().hinges())
@@ -184,6 +205,7 @@ Foam::scalar Foam::membraneStep::addResistance
         const vector& ni = step.normals[i];
         const vector& nj = step.normals[j];
         const scalar along = kn*((ni & strayed[i]) - (nj & strayed[j]));
+        const scalar k = 0.5*(step.allK[i] + step.allK[j]);
         const vector ofEdge(k*(strayed[i] - strayed[j]));
         force[i] += along*ni + ofEdge;
         force[j] -= along*nj + ofEdge;
@@ -263,6 +285,7 @@ void Foam::membraneStep::advance
         flow.force,
         resistances(flow, n, smeared, resisting)/start.span,
         8*resisting*d/Foam::sqrt(scalar(3))/start.span,
+        resistancesOfAll(flow, smeared, resisting, d)/start.span,
         p.step().forces,
         start,
         flow.contacts,
@@ -293,7 +316,7 @@ void Foam::membraneStep::advance
     {
         return value(step, x, gradient, tangent);
     };
-    flow.solved = minimiser_.minimise(potential, *factors, y, 1e-2);
+    flow.solved = minimiser_.minimise(potential, *factors, y, 1e-2, most);
 
     vectorField F(flow.force);
     addResistance(step, y - step.target, F, nullptr);

@@ -65,10 +65,8 @@ Foam::Pair<Foam::scalar> Foam::membraneStep::partsOf
     const scalar dt0
 )
 {
-    // One that starts from rest has no last step
-    const bool starts = max(mag(p.state().u)) == 0;
     const scalar q = dt/dt0;
-    const scalar ofLast = starts ? 0 : q/(1 + 2*q);
+    const scalar ofLast = starts(p) ? 0 : q/(1 + 2*q);
     return Pair<scalar>(ofLast, 1 - ofLast);
 }
 
@@ -97,9 +95,7 @@ Foam::vectorField Foam::membraneStep::acceleration
     const scalar dt0
 )
 {
-    const vectorField& last = p.state().u;
-    const bool starts = max(mag(last)) == 0;
-    return (2*scalar(!starts)/(dt + dt0))*(p.step().end.u - last);
+    return (2*scalar(!starts(p))/(dt + dt0))*(p.step().end.u - p.state().u);
 }
 
 

@@ -265,12 +265,9 @@ const Foam::volScalarField& Foam::incompressibleFlow::nu() const
 
 Foam::scalar Foam::incompressibleFlow::leastNu() const
 {
-    const scalarField& viscosity = nu().primitiveField();
-    const volScalarField* density = densityRatio();
-    return
-        density
-      ? gMin((viscosity/density->primitiveField())())
-      : gMin(viscosity);
+    // Not that of the field rho: before the first step, and after a restart, there is none
+    const scalar densest = membranes_ ? membranes_->fluids().densest() : 1;
+    return gMin(nu().primitiveField())/densest;
 }
 
 

@@ -60,7 +60,9 @@ void Foam::deformableCloud::immerse
     label index = 0;
     for (clumpParcel& p : *this)
     {
-        p.step().solidVolumes = ghosts_.images()[index++].tension.solid;
+        const imageForces& tension = ghosts_.images()[index++].tension;
+        p.step().solidVolumes = tension.solid;
+        p.step().solidInertias = tension.solidInertia;
     }
     if (moving)
     {

@@ -4,15 +4,70 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpType.H"
+#include "massDistribution.H"
 #include "sphereUnion.H"
 #include "mathematicalConstants.H"
+#include <Eigen/Eigenvalues>
+
+namespace
+{
+
+using namespace Foam;
+
+//- The entry inertia: the moments about the axes of the shape, or all six components
+symmTensor givenInertia(const dictionary& dict)
+{
+    const List<scalar> v(getFiniteList<scalar>(dict, "inertia"));
+    if (v.size() != 3 && v.size() != 6)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'inertia' has " << v.size() << " numbers; give the three moments"
+            << " of inertia about the axes of the shape, (xx yy zz), or the tensor (xx"
+            << " xy xz yy yz zz), in kg m2." << exit(FatalIOError);
+    }
+    const symmTensor J
+    (
+        v.size() == 3
+      ? symmTensor(v[0], 0, 0, v[1], 0, v[2])
+      : symmTensor(v[0], v[1], v[2], v[3], v[4], v[5])
+    );
+    const scalar size = max(mag(J.xx()), max(mag(J.yy()), mag(J.zz())));
+    Eigen::Vector3d p(Eigen::Vector3d::Constant(-1));
+    if (size >= smallestEntry)
+    {
+        const symmTensor j(J/size);
+        Eigen::Matrix3d m;
+        m << j.xx(), j.xy(), j.xz(), j.xy(), j.yy(), j.yz(), j.xz(), j.yz(), j.zz();
+        p = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>
+        (
+            m, Eigen::EigenvaluesOnly
+        ).eigenvalues();
+    }
+    if (!(p[0] > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'inertia' is " << v << "; the moments of inertia of a body are"
+            << " above zero about every axis [kg m2]." << exit(FatalIOError);
+    }
+    if (!(p[2] <= (1 + 1e-6)*(p[0] + p[1])))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'inertia' has the principal moments " << size*p[0] << ", "
+            << size*p[1] << " and " << size*p[2] << " kg m2. None can exceed the sum of"
+            << " the others: no body has such moments." << exit(FatalIOError);
+    }
+    return J;
+}
+
+}
+
 
 Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 :
     name_(name),
     family_(dict.getOrDefault<word>("classOf", name)),
     share_(getBetweenOrDefault(dict, "share", 1, 0, 1)),
-    density_(getPositive(dict, "density")),
+    gyration_(0.4),
     smoothVolume_(0),
     fixed_(false),
     viscosityRatio_(1),
@@ -45,12 +100,14 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
 
     if (hasSurface())
     {
-        setSurfaceMasses();
+        setSurfaceMasses(getPositive(dict, "density"));
         viscosityRatio_ = getBetweenOrDefault(dict, "viscosityRatio", 1, 0.01, 100);
     }
     else
     {
-        setMasses(dict);
+        bodyMoments moments(geometry->moments());
+        moments.scale(scale);
+        setMasses(dict, moments);
     }
 
     // With massModel fullSpheres the volume may underflow to zero
@@ -75,9 +132,9 @@ void Foam::clumpType::check(const dictionary& dict) const
         (
             dict,
             {
-                "shape", "density", "massModel", "motion", "nominalVolume", "scale",
-                "classOf", "share", "bondModel", "dampingModel", "conservationModel",
-                "conservationModels"
+                "shape", "density", "massModel", "mass", "inertia", "motion",
+                "nominalVolume", "scale", "classOf", "share", "bondModel",
+                "dampingModel", "conservationModel", "conservationModels"
             }
         );
         return;
@@ -88,7 +145,7 @@ void Foam::clumpType::check(const dictionary& dict) const
         const word key :
         {
             "bondModel", "dampingModel", "conservationModel",
-            "conservationModels", "massModel"
+            "conservationModels", "massModel", "mass", "inertia"
         }
     )
     {
@@ -96,7 +153,8 @@ void Foam::clumpType::check(const dictionary& dict) const
         {
             FatalIOErrorInFunction(dict)
                 << "Entry '" << key << "': the shape of the type is a surface, whose"
-                << " nodes are held together by the entry 'membrane'."
+                << " nodes are held together by the entry 'membrane' around a fluid of"
+                << " the entry 'density'."
                 << exit(FatalIOError);
         }
     }
@@ -120,13 +178,13 @@ void Foam::clumpType::check(const dictionary& dict) const
 }
 
 
-void Foam::clumpType::setSurfaceMasses()
+void Foam::clumpType::setSurfaceMasses(const scalar density)
 {
     volume_ = surface_->volume(centres_);
     const scalar area = surface_->area(centres_);
     const scalarField share(surface_->nodeAreas(centres_)/area);
 
-    masses_ = density_*volume_*share;
+    masses_ = density*volume_*share;
     volumes_ = volume_*share;
     inertias_ = scalarField(size(), Zero);
     centres_ -= sum(share*centres_);
@@ -139,33 +197,14 @@ void Foam::clumpType::setSurfaceMasses()
 }
 
 
-void Foam::clumpType::setMasses(const dictionary& dict)
+Foam::scalar Foam::clumpType::givenMass
+(
+    const dictionary& dict,
+    const scalar spheres
+) const
 {
     const word massModel(dict.getOrDefault<word>("massModel", "union"));
-
-    volume_ = sphereUnion::volume(centres_, radii_);
-
-    const scalarField cubes(pow3(radii_));
-    const scalar spheres = constant::mathematical::pi*4.0/3.0*sum(cubes);
-
-    scalar V = 0;
-    if (massModel == "union")
-    {
-        V = volume_;
-        if (!(V > 0))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'shape': the spheres (radius " << min(radii_)
-                << " m) are too small for their distance from the origin ("
-                << max(mag(centres_)) << " m) to compute their volume."
-                << exit(FatalIOError);
-        }
-    }
-    else if (massModel == "fullSpheres")
-    {
-        V = spheres;
-    }
-    else
+    if (massModel != "union" && massModel != "fullSpheres")
     {
         FatalIOErrorInLookup
         (
@@ -173,10 +212,73 @@ void Foam::clumpType::setMasses(const dictionary& dict)
             (HashTable<label>({{"union", 0}, {"fullSpheres", 1}}))
         )   << exit(FatalIOError);
     }
+    if (dict.found("mass"))
+    {
+        for (const word key : {"density", "massModel", "nominalVolume"})
+        {
+            if (dict.found(key))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entries 'mass' and '" << key << "': the mass of a clump that"
+                    << " has the entry 'mass' does not follow from anything else. Remove"
+                    << " one of them." << exit(FatalIOError);
+            }
+        }
+    }
+    const bool full = massModel == "fullSpheres";
+    if (!full && !(volume_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape': the spheres (radius " << min(radii_)
+            << " m) are too small for their distance from the origin ("
+            << max(mag(centres_)) << " m) to compute their volume."
+            << exit(FatalIOError);
+    }
+    return
+        dict.found("mass")
+      ? getPositive(dict, "mass")
+      : getPositive(dict, "density")*(full ? spheres : volume_);
+}
 
-    masses_ = density_*V*cubes/sum(cubes);
-    volumes_ = volume_*cubes/sum(cubes);
-    inertias_ = 0.4*masses_*sqr(radii_);
+
+void Foam::clumpType::setMasses
+(
+    const dictionary& dict,
+    const bodyMoments& ofShape
+)
+{
+    bodyMoments body(sphereUnion::moments(centres_, radii_));
+    volume_ = body.volume;
+    if (ofShape.volume > 0)
+    {
+        body = ofShape;
+        volume_ = body.volume;
+    }
+    const scalarField cubes(pow3(radii_));
+    const scalar mass = givenMass(dict, constant::mathematical::pi*4.0/3.0*sum(cubes));
+    scalarField share(cubes/sum(cubes));
+
+    // Neither full spheres nor those that stand for something larger are the body
+    const bool isBody =
+        dict.getOrDefault<word>("massModel", "union") == "union"
+     && (ofShape.volume > 0 || !dict.found("nominalVolume"));
+    if (isBody)
+    {
+        const massDistribution ofBody
+        (
+            centres_, radii_, body.centre, body.inertia()/body.volume, body.accuracy
+        );
+        share = ofBody.masses();
+        gyration_ = sum(ofBody.inertias())/sum(share*sqr(radii_));
+    }
+    masses_ = mass*share;
+    inertias_ = gyration_*masses_*sqr(radii_);
+    volumes_ = volume_*share;
+    if (dict.found("inertia"))
+    {
+        setInertia(dict, mass, isBody ? body.centre : sum(share*centres_));
+    }
+
     dragRadii_ = radii_;
     bodyRadii_ = radii_;
     halfWidth_ = min(radii_);
@@ -184,6 +286,31 @@ void Foam::clumpType::setMasses(const dictionary& dict)
     centres_ -= sum(masses_*centres_)/sum(masses_);
     vectorField grad(size());
     smoothVolume_ = sphereUnion::smoothVolume(centres_, radii_, grad);
+}
+
+
+void Foam::clumpType::setInertia
+(
+    const dictionary& dict,
+    const scalar mass,
+    const point& centre
+)
+{
+    const massDistribution given
+    (
+        centres_, radii_, centre, givenInertia(dict)/mass, 0
+    );
+    if (given.error() > 0.01)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'inertia': with the mass of " << mass << " kg, spheres at these"
+            << " places have a moment of inertia that differs by "
+            << 100*given.error() << " % from it about some axis, whatever their masses"
+            << " are. Give the moments of a body of this shape, or a shape of more"
+            << " spheres." << exit(FatalIOError);
+    }
+    masses_ = mass*given.masses();
+    inertias_ = mass*given.inertias();
 }
 
 
@@ -231,8 +358,5 @@ Foam::scalarField Foam::clumpType::excessMasses
     const pointField& x
 ) const
 {
-    const scalarField excess(masses_ - rho*volumes_*relativeVolume(x));
-    return
-        nominalVolume_ == volume_
-      ? excess : scalarField(nominalVolume_/max(volume_, VSMALL)*excess);
+    return nominalRatio()*(masses_ - rho*volumes_*relativeVolume(x));
 }

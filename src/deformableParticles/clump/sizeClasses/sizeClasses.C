@@ -35,13 +35,21 @@ dictionary scaled
     setExact(result, "scale", factor);
     setExact(result, "share", share);
     result.set("classOf", family);
-    if (entry.found("nominalVolume"))
+    for (const word key : {"nominalVolume", "mass"})
     {
-        setExact
-        (
-            result, "nominalVolume",
-            pow3(factor)*getPositive(entry, "nominalVolume")
-        );
+        if (entry.found(key))
+        {
+            setExact(result, key, pow3(factor)*getPositive(entry, key));
+        }
+    }
+    if (entry.found("inertia"))
+    {
+        List<scalar> moments(getFiniteList<scalar>(entry, "inertia"));
+        for (scalar& J : moments)
+        {
+            J *= pow5(factor);
+        }
+        setExact(result, "inertia", moments);
     }
     return result;
 }

@@ -157,6 +157,99 @@ Foam::scalar Foam::sphereUnion::volume
 }
 
 
+namespace
+{
+
+//- Integrals of 1, x and xx over a body
+struct integrals
+{
+    scalar V = 0;
+    vector first = Zero;
+    symmTensor second = Zero;
+
+    //- Add a span from a to b of a column around x, y
+    void add
+    (
+        const scalar x, const scalar y, const scalar a, const scalar b,
+        const scalar dx, const scalar dy
+    )
+    {
+        const scalar v = (b - a)*dx*dy;
+        const vector c(x, y, 0.5*(a + b));
+        V += v;
+        first += v*c;
+        second +=
+            v
+           *(
+                sqr(c)
+              + symmTensor(sqr(dx), 0, 0, sqr(dy), 0, sqr(b - a))/12
+            );
+    }
+};
+
+}
+
+
+Foam::bodyMoments Foam::sphereUnion::moments
+(
+    const UList<point>& centres,
+    const UList<scalar>& radii,
+    const label nColumns
+)
+{
+    bodyMoments result;
+    const boundBox box(bounds(centres, radii));
+    const point middle(box.midpoint());
+    const scalar dx = box.span().x()/nColumns;
+    const scalar dy = box.span().y()/nColumns;
+
+    // The columns give what the overlaps take off the sum of the spheres
+    integrals part;
+    integrals whole;
+    forEachSpan
+    (
+        centres, radii, dx, dy,
+        [&]
+        (
+            const scalar x, const scalar y, const label,
+            const scalar bottom, const scalar from, const scalar top
+        )
+        {
+            const scalar X = x - middle.x();
+            const scalar Y = y - middle.y();
+            const scalar Z = middle.z();
+            whole.add(X, Y, bottom - Z, top - Z, dx, dy);
+            if (top > from)
+            {
+                result.volume += (top - from)*dx*dy;
+                part.add(X, Y, from - Z, top - Z, dx, dy);
+            }
+        }
+    );
+    scalar V = part.V - whole.V;
+    vector first(part.first - whole.first);
+    symmTensor second(part.second - whole.second);
+    forAll(centres, i)
+    {
+        const scalar v = constant::mathematical::pi*4/3*pow3(radii[i]);
+        const vector c(centres[i] - middle);
+        V += v;
+        first += v*c;
+        second += v*(sqr(c) + 0.2*sqr(radii[i])*symmTensor(I));
+    }
+    if (!(V > 0) || !(result.volume > 0))
+    {
+        result.volume = 0;
+        return result;
+    }
+    const vector c(first/V);
+    result.centre = middle + c;
+    result.second = result.volume*(second/V - sqr(c));
+    result.accuracy = 1e-4;
+    return result;
+}
+
+
 Foam::boundBox Foam::sphereUnion::bounds
 (
     const UList<point>& centres,

@@ -323,7 +323,7 @@ void Foam::fluidCoupling::addForces
     {
         ext.f += interiorForces(p, dt);
         ext.t +=
-            0.4*step.presence*rho_/dt*step.solidVolumes*sqr(type.radii())
+            step.presence*rho_/dt*step.solidInertias
            *(step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b);
     }
 }

@@ -62,6 +62,7 @@ void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
     for (clumpImage& image : images)
     {
         image.tension.solid = scalarField(image.x.size(), Zero);
+        image.tension.solidInertia = scalarField(image.x.size(), Zero);
     }
     visit
     (
@@ -77,7 +78,10 @@ void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
             {
                 for (const sphereWeight& s : weights)
                 {
-                    image.tension.solid[s.i] += c.volume*share*s.w;
+                    const scalar V = c.volume*share*s.w;
+                    image.tension.solid[s.i] += V;
+                    image.tension.solidInertia[s.i] +=
+                        2.0/3*V*magSqr(c.x - image.x[s.i]);
                 }
             }
         }

@@ -87,6 +87,9 @@ Foam::clumpShapes::fromSurface::fromSurface(const dictionary& dict)
     radii_ = length*scalarField(filling.radii());
     bonds_ = filling.tree();
 
+    moments_ = bodyMoments(surface);
+    moments_.scale(length);
+
     const scalar V = mag(sphereFilling::volume(surface));
     const scalar R = Foam::cbrt(0.75*V/constant::mathematical::pi);
     Info<< "Surface " << dict.get<fileName>("file") << ": " << radii_.size()

@@ -72,5 +72,6 @@ void Foam::couplingSchemes::robin::coefficients
       + 6*pi*mu*max(r*(1 + x))*r.size()*(least - ofSpheres)/type.mass();
 
     zetaR =
-        coefficient_*resistance*sqr(ofSpheres/least)/r.size() + 0.4*inertia*sqr(r);
+        coefficient_*resistance*sqr(ofSpheres/least)/r.size()
+      + rho/dt*type.volumeInertias();
 }

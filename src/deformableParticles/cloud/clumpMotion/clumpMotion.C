@@ -376,7 +376,7 @@ Foam::scalar Foam::clumpMotion::releaseStep(const scalar radii)
         vector F(Zero);
         if (heavy)
         {
-            F += (ct.mass() - rho*ct.volume())*clumps_.g();
+            F += ct.nominalRatio()*(ct.mass() - rho*ct.volume())*clumps_.g();
         }
         F += loads_.steadyForce(p, index);
 

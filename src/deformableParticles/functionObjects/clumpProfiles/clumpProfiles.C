@@ -91,7 +91,7 @@ void Foam::functionObjects::clumpProfiles::addClump
         return;
     }
     const scalarField& r = type.radii();
-    const scalar weight = type.nominalVolume()/type.volume();
+    const scalar weight = type.nominalRatio();
     sphereUnion::forEachChord
     (
         x, r, 0.1*min(r),
@@ -115,7 +115,7 @@ void Foam::functionObjects::clumpProfiles::addMembrane
 {
     const clumpType& type = cloud().type(p);
     const closedSurface& surface = type.surface();
-    const scalar weight = type.nominalVolume()/type.volume();
+    const scalar weight = type.nominalRatio();
     const vector& e = axes().flow;
     const point centre(surface.centroid(x));
     const scalar uCentre = p.state().velocity(type) & e;

@@ -138,7 +138,7 @@ Foam::vectorField Foam::membraneStep::weight
     const pointField& x = p.state().x;
     const scalar excess = type.mass()/type.volume() - rho;
     return
-        type.nominalVolume()/type.volume()*excess
+        type.nominalRatio()*excess
        *(g & (x - p.state().centre(type)))*surface().areaVectors(x);
 }
 

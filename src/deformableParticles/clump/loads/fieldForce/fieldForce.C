@@ -86,7 +86,7 @@ Foam::tmp<Foam::volVectorField> Foam::loads::fieldForce::field
 
 void Foam::loads::fieldForce::add(const site& clump, externalForces& ext) const
 {
-    const scalarField& V = clump.type.volumes();
+    const scalarField V(clump.type.nominalVolumes());
     const scalar c = coefficient_->value(clump.time())/(perVolume_ ? 1 : sum(V));
     ext.f += c*V*clump.field;
 }

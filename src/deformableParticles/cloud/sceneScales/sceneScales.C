@@ -127,6 +127,33 @@ void warnOfCoarseMesh(const clumpSuspension& cloud, const fvMesh& mesh)
 }
 
 
+//- Fatal where a sphere or membrane that moves is wider than the mesh, so that the lengths
+//  must be in other units than metres
+void refuseWide(const clumpSuspension& cloud, const fvMesh& mesh)
+{
+    const scalar span = mesh.bounds().mag();
+    for (const clumpType& type : cloud.types())
+    {
+        const scalar width = 2*(type.hasSurface() ? type.reach() : max(type.radii()));
+        if (!type.fixed() && width > span)
+        {
+            OStringStream os;
+            os.precision(3);
+            os  << "Clump type " << type.name() << " is " << width/span
+                << " times wider than the mesh: "
+                << (type.hasSurface() ? "its surface" : "a sphere of it") << " is "
+                << width << " m wide, and the diagonal of the mesh is " << span
+                << " m long. All units are SI: check the lengths of the entry 'shape' and"
+                << " the scale of the mesh.";
+            FatalIOErrorInFunction
+            (
+                getDict(getDict(cloud.properties(), "types"), type.name())
+            )   << os.str().c_str() << exit(FatalIOError);
+        }
+    }
+}
+
+
 //- Warn of the density of a gas with the viscosity of a liquid
 void warnOfDensity(const scalar rho, const scalar nu, const dictionary& properties)
 {
@@ -259,6 +286,7 @@ void Foam::reportScales(const clumpSuspension& cloud)
         << range(Foam::cbrt(gMin(V)), Foam::cbrt(gMax(V))).c_str() << " m, clumps "
         << range(least, most).c_str() << " m";
     Info<< os.str().c_str() << endl;
+    refuseWide(cloud, mesh);
 
     if (!cloud.hasFluid())
     {

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "watchdog.H"
+#include "clumpPieces.H"
 #include "checkedEntries.H"
 #include "clumpTotals.H"
 #include "flowDriving.H"
@@ -361,9 +362,18 @@ Foam::string Foam::watchdog::thrown()
         const scalar displacement =
             runTime_.deltaTValue()
            *max(mag(s.u - cloud_.meshVelocity())/type.bodyRadii());
-        const scalar size =
-            (extent(s.x) + max(type.radii()))
-           /(extent(type.centres()) + max(type.radii()));
+        scalar size = 0;
+        const clumpPieces pieces(type, s);
+        for (label n = 0; n < pieces.size(); ++n)
+        {
+            const scalar r = max(scalarField(type.radii(), pieces[n]));
+            size = max
+            (
+                size,
+                (extent(pointField(s.x, pieces[n])) + r)
+               /(extent(pointField(type.centres(), pieces[n])) + r)
+            );
+        }
 
         if (!(displacement < maxDisplacement_))
         {

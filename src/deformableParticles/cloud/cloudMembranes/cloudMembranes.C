@@ -4,8 +4,16 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cloudMembranes.H"
+#include "buckledPart.H"
 #include "foamCompat.H"
 #include "sceneScales.H"
+
+namespace
+{
+    //- Part of the surface above which a membrane counts as buckled
+    constexpr Foam::scalar buckles = 0.02;
+}
+
 
 Foam::cloudMembranes::cloudMembranes
 (
@@ -27,6 +35,10 @@ void Foam::cloudMembranes::read(const label typei, const dictionary& dict)
     {
         steps_.set(typei, new membraneStep(types_[typei], dict, contacts_));
         unchecked_.insert(typei);
+        if (!mechanics(typei).bends())
+        {
+            unbent_.insert(typei);
+        }
     }
 }
 
@@ -110,6 +122,10 @@ void Foam::cloudMembranes::immerse
     {
         warnOfLeaks(clumps, ghosts, surfaces);
     }
+    if (unbent_.size())
+    {
+        warnOfBuckling(clumps);
+    }
 }
 
 
@@ -152,6 +168,47 @@ void Foam::cloudMembranes::warnOfLeaks
                 << " shape more subdivisions (or the surface file more triangles), or"
                 << " use a coarser mesh." << endl;
         }
+    }
+}
+
+
+void Foam::cloudMembranes::warnOfBuckling(const Cloud<clumpParcel>& clumps)
+{
+    scalarList parts(types_.size(), Zero);
+    for (const clumpParcel& p : clumps)
+    {
+        const label typei = p.typeId();
+        if (unbent_.found(typei))
+        {
+            const scalar part =
+                buckledPart(types_[typei].surface(), p.state().x);
+            parts[typei] = max(parts[typei], part);
+        }
+    }
+    reduceList(parts, maxEqOp<scalar>());
+    forAll(parts, typei)
+    {
+        const clumpType& type = types_[typei];
+        if
+        (
+            parts[typei] <= buckles
+         || parts[typei] - buckledPart(type.surface(), type.centres()) <= buckles
+        )
+        {
+            continue;
+        }
+        unbent_.erase(typei);
+
+        // Against a compression of a fifth of the shear modulus, in waves of six edges
+        const scalar enough =
+            0.1*mechanics(typei).shearStiffness()/type.surface().nNodes();
+        WarningInFunction
+            << "A membrane of '" << type.name() << "' is buckled in waves as short as"
+            << " its triangles, over " << 100*parts[typei] << " % of its surface at"
+            << " time " << mesh_.time().timeName() << ". It is under compression and"
+            << " nothing resists its bending, so that its shape depends on its"
+            << " triangles. Give its membrane, for example,  bending { type helfrich;"
+            << " bendingStiffness " << enough << "; }" << endl;
     }
 }
 

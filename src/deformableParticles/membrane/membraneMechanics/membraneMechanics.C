@@ -76,6 +76,19 @@ Foam::scalar Foam::membraneMechanics::shearStiffness() const
 }
 
 
+bool Foam::membraneMechanics::bends() const
+{
+    for (const membraneModel& model : models_)
+    {
+        if (model.bends())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 Foam::scalar Foam::membraneMechanics::add
 (
     const pointField& x,

@@ -11,7 +11,6 @@
 #include "polyMeshTetDecomposition.H"
 #include "syncTools.H"
 #include "FlatOutput.H"
-#include <algorithm>
 
 namespace
 {
@@ -77,7 +76,6 @@ Foam::packingRegion::packingRegion
     mesh_(mesh),
     box_(-GREAT*vector::one, GREAT*vector::one),
     volumes_(mesh.nCells()),
-    before_(0),
     volume_(0)
 {
     readBox(dict);
@@ -237,14 +235,7 @@ void Foam::packingRegion::findVolumes
         volumes_[celli] = sum;
     }
 
-    scalarList all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = sum;
-    gatherToAll(all);
-    forAll(all, proci)
-    {
-        before_ += proci < Pstream::myProcNo() ? all[proci] : scalar(0);
-        volume_ += all[proci];
-    }
+    volume_ = returnReduce(sum, sumOp<scalar>());
     if (volume_ <= 0)
     {
         FatalIOErrorInFunction(dict)
@@ -254,48 +245,24 @@ void Foam::packingRegion::findVolumes
 }
 
 
-Foam::label Foam::packingRegion::cell(const scalar share) const
+Foam::boundBox Foam::packingRegion::bounds() const
 {
-    const scalar at = share*volume_ - before_;
-    if (volumes_.empty() || at < 0 || at >= volumes_.last())
-    {
-        return -1;
-    }
-    return
-        std::upper_bound(volumes_.begin(), volumes_.end(), at)
-      - volumes_.begin();
+    const boundBox& whole = mesh_.bounds();
+    return boundBox(max(whole.min(), box_.min()), min(whole.max(), box_.max()));
 }
 
 
-Foam::point Foam::packingRegion::randomPoint
-(
-    const label celli,
-    Random& random
-) const
+Foam::label Foam::packingRegion::cell(const point& p) const
 {
-    const List<tetIndices> tets
-    (
-        polyMeshTetDecomposition::cellTetIndices(mesh_, celli)
-    );
-    const point centre(mesh_.cellCentres()[celli]);
-    point p(centre);
-    for (label tries = 0; tries < 1000; ++tries)
+    if (!box_.contains(p))
     {
-        scalar at = random.sample01<scalar>()*mesh_.cellVolumes()[celli];
-        label t = 0;
-        while (t < tets.size() - 1 && (at -= mag(tets[t].tet(mesh_).mag())) > 0)
-        {
-            ++t;
-        }
-        p = tets[t].tet(mesh_).randomPoint(random);
-        if (box_.contains(p))
-        {
-            break;
-        }
+        return -1;
     }
-
-    // Off the faces of the mesh cell, where the point could belong to another
-    return centre + (1 - 1e-6)*(p - centre);
+    const label celli = mesh_.findCell(p);
+    const bool in =
+        celli >= 0
+     && volumes_[celli] > (celli ? volumes_[celli - 1] : scalar(0));
+    return in ? celli : -1;
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "random.H"
 #include "clumpPacking.H"
+#include "foamCompat.H"
 #include "ghostExchange.H"
 #include "givenRotation.H"
 #include "randomSeed.H"
@@ -136,32 +137,64 @@ void Foam::clumpPlacements::random::scatter
     const bool turned = dict_.found("axis") || dict_.found("angle");
     const quaternion turn(givenRotation(dict_));
 
-    // All processors draw the same numbers; one of them has the place
+    // All processors draw the same points, whatever the mesh is like, and those in the
+    // region count. One of the processors has the place
+    const boundBox box(region.bounds());
+    region.mesh().cellTree();
     Random common(getEntry<label>(dict_, "seed"));
+    List<Random> own(sum(numbers), Random(0));
+    labelList typeIds(own.size());
     label k = 0;
     forAll(numbers, typei)
     {
         for (label n = 0; n < numbers[typei]; ++n, ++k)
         {
-            const scalar share = common.sample01<scalar>();
-            Random own(randomSeed(common));
-            const label celli = region.cell(share);
-            if (celli < 0)
-            {
-                continue;
-            }
-            const point position(region.randomPoint(celli, own));
-            clumpState state(types_[typei]);
-            state.q[0] = turned ? turn : uniformRotation(own);
-
-            auto* p = new clumpParcel
-            (
-                region.mesh(), position, celli, typei, state
-            );
-            p->origProc() = 0;
-            p->origId() = k;
-            clumps.addParticle(p);
+            own[k] = Random(randomSeed(common));
+            typeIds[k] = typei;
         }
+    }
+
+    labelList wanted(identity(own.size()));
+    while (wanted.size())
+    {
+        pointField points(wanted.size());
+        labelList cells(wanted.size());
+        labelList owners(wanted.size());
+        forAll(wanted, i)
+        {
+            Random& numbersOf = own[wanted[i]];
+            for (direction d = 0; d < vector::nComponents; ++d)
+            {
+                points[i][d] =
+                    box.min()[d] + numbersOf.sample01<scalar>()*box.span()[d];
+            }
+            cells[i] = region.cell(points[i]);
+            owners[i] = cells[i] < 0 ? -1 : Pstream::myProcNo();
+        }
+        reduceList(owners, maxEqOp<label>());
+
+        DynamicList<label> others;
+        forAll(wanted, i)
+        {
+            k = wanted[i];
+            if (owners[i] < 0)
+            {
+                others.append(k);
+            }
+            else if (owners[i] == Pstream::myProcNo())
+            {
+                clumpState state(types_[typeIds[k]]);
+                state.q[0] = turned ? turn : uniformRotation(own[k]);
+                auto* p = new clumpParcel
+                (
+                    region.mesh(), points[i], cells[i], typeIds[k], state
+                );
+                p->origProc() = 0;
+                p->origId() = k;
+                clumps.addParticle(p);
+            }
+        }
+        wanted = others;
     }
 }
 

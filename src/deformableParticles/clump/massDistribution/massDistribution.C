@@ -14,6 +14,7 @@ using namespace Foam;
 typedef Eigen::Matrix<scalar, Eigen::Dynamic, 1> column;
 typedef Eigen::Matrix<scalar, 10, 1> condition;
 typedef Eigen::Matrix<scalar, 10, Eigen::Dynamic> conditions;
+typedef Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> matrix;
 
 //- Least values, as parts of those to start from
 constexpr scalar least = 0.1;
@@ -26,7 +27,7 @@ constexpr scalar ofMass = 100;
 constexpr scalar slack = 1e-7;
 
 
-Eigen::Matrix3d matrix(const symmTensor& t)
+Eigen::Matrix3d asMatrix(const symmTensor& t)
 {
     Eigen::Matrix3d m;
     m << t.xx(), t.xy(), t.xz(), t.xy(), t.yy(), t.yz(), t.xz(), t.yz(), t.zz();
@@ -72,17 +73,28 @@ column leastChange
     {
         const column v(values(multipliers));
         const condition rest(b - A*v - slack*multipliers);
-        if (rest.norm() < 1e-14*ofMass)
-        {
-            break;
-        }
         const column free
         (
             (v.array() > floor.array()).select(D, column::Zero(D.size()))
         );
-        Eigen::Matrix<scalar, 10, 10> G(A*free.asDiagonal()*A.transpose());
-        G.diagonal().array() += slack;
-        const condition change(G.ldlt().solve(rest));
+        const matrix G(A*free.asDiagonal()*A.transpose());
+
+        // Not along what no masses change, where the multipliers would grow without end
+        const Eigen::SelfAdjointEigenSolver<matrix> modes(G);
+        condition change(condition::Zero());
+        for (label k = 0; k < 10; ++k)
+        {
+            const scalar g = modes.eigenvalues()[k];
+            if (g > 0.01*slack)
+            {
+                const condition mode(modes.eigenvectors().col(k));
+                change += mode.dot(rest)/(g + slack)*mode;
+            }
+        }
+        if (change.norm() < 1e-13)
+        {
+            break;
+        }
 
         scalar part = 1;
         const scalar before = dual(multipliers);
@@ -117,7 +129,7 @@ Foam::massDistribution::massDistribution
 
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes
     (
-        matrix(inertia/sqr(length))
+        asMatrix(inertia/sqr(length))
     );
     const Eigen::Matrix3d W(axes.operatorInverseSqrt());
 
@@ -130,7 +142,7 @@ Foam::massDistribution::massDistribution
         const symmTensor J(magSqr(r)*symmTensor(I) - sqr(r));
         A.col(i) <<
             ofMass, ofMass*r.x(), ofMass*r.y(), ofMass*r.z(),
-            components(W*matrix(J)*W);
+            components(W*asMatrix(J)*W);
         v0[i] = masses_[i];
         D[i] = masses_[i];
     }
@@ -169,7 +181,7 @@ Foam::massDistribution::massDistribution
     }
     const Eigen::Matrix3d off
     (
-        W*matrix(J/sqr(length))*W - Eigen::Matrix3d::Identity()
+        W*asMatrix(J/sqr(length))*W - Eigen::Matrix3d::Identity()
     );
     error_ =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>

@@ -45,6 +45,9 @@ def exact(t, ratio, nu, points=32):
 LIMITS = 0.05, 0.03
 ELSEWHERE = {4: 0.25, 8: 0.1, 16: 0.05}
 
+# Mesh cells that become solid bring fluid at rest with them
+KNOWN = {(0, 1e-4): 0.948192, (0.01, 1e-4): 0.948911}
+
 source = "Basset-Boussinesq-Oseen, in implicit steps"
 results = Results()
 rows = read("data.csv")
@@ -66,7 +69,8 @@ for r in rows:
     name = f"ratio {ratio:g}, viscous number {number:g}, D/dx {across:g} at {r['place']}"
     results.add(f"first step, {name}", over[0], "-", 1, first, source)
     results.add(f"largest deviation later, {name}",
-                max(over[1:], key=lambda x: abs(x - 1)), "-", 1, later, source)
+                max(over[1:], key=lambda x: abs(x - 1)), "-", 1, later, source,
+                KNOWN.get((ratio, number)) if usual else None)
     if usual:
         at = axes[numbers.index(number)]
         at.plot(range(1, len(u) + 1), over, marker=".", label=f"{ratio:g}")

@@ -547,9 +547,19 @@ TEST_CASE("boundary: a coefficient that is too small is raised", "[boundary][cou
     testCloud t(centre, start);
     t.correct(Zero);
     const scalar C = -t.sumForces().x()/start.x();
-    const scalar z = 6*constant::mathematical::pi*1025*1.171e-6*sum(t.type().radii());
-    const scalar inertia = 1025*t.type().volume()/testTime().deltaTValue();
-    const scalar a = (5*z + 2*inertia)/C;
+    const scalar dt = testTime().deltaTValue();
+    const scalarField& r = t.type().radii();
+    const scalar z =
+        6*constant::mathematical::pi*1025*1.171e-6
+       *sum(r*(1 + r/Foam::sqrt(1.171e-6*dt)));
+    scalar inside = 0;
+    for (const clumpParcel& p : t.cloud())
+    {
+        inside += sum(p.step().solidVolumes);
+    }
+    reduce(inside, sumOp<scalar>());
+    const scalar inertia = 1025*t.type().volume()/dt;
+    const scalar a = (5*z + inertia + 1025*inside/dt)/C;
 
     // So slowly that no corrector overshoots; resists: part of a in every corrector
     const auto factors = [&](const scalarList& resists)

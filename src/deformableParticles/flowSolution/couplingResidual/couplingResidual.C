@@ -79,11 +79,10 @@ Foam::scalar Foam::couplingResidual::power
     // What the forces of the fluid change within a step, or move against the fluid
     const scalar rho = cloud_.fluidDensity();
     const scalar dt = flow_.p().time().deltaTValue();
-    const scalar layer = Foam::sqrt(flow_.leastNu()*dt);
     const scalar slip =
         mag(sum(p.fluidForces()))
        /(
-            drag_*rho*sum(r*(1 + r/layer))
+            drag_*rho*sum(r*(1 + r/layer_))
           + (type.mass() + rho*type.volume())/dt
         );
 
@@ -97,6 +96,7 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 {
     using constant::mathematical::pi;
     drag_ = 6*pi*gMax(flow_.nu().primitiveField());
+    layer_ = Foam::sqrt(flow_.leastNu()*flow_.p().time().deltaTValue());
 
     // Motions that need not be resolved
     const scalar least = 1e-8/flow_.p().time().deltaTValue();

@@ -13,19 +13,28 @@ namespace
 using namespace Foam;
 
 //- Coefficients of a scheme without the inertia of the fluid inside
-void viscous
+scalarField viscous
 (
     const couplingScheme& scheme,
     const clumpType& type,
     const scalar mu,
     const scalar rho,
-    const scalar dt,
-    scalarField& z
+    const scalar dt
 )
 {
-    scalarField zR;
+    scalarField z, zR;
     scheme.coefficients(type, mu, rho, dt, z, zR);
-    z -= rho*type.volumes()/dt;
+    return z - rho*type.volumes()/dt;
+}
+
+
+//- Multiply coefficients z by a factor without their inertia
+void raise(scalarField& z, const scalarField& inertia, const scalar factor)
+{
+    if (factor > 1)
+    {
+        z = inertia + factor*(z - inertia);
+    }
 }
 
 }
@@ -314,10 +323,9 @@ void Foam::fluidCoupling::addForces
 
     ext.t += p.fluidTorques();
     ext.imposedW = step.imposedW;
-    scheme_->coefficients
-    (
-        type, p.couplingFactor()*mu_, rho_, dt, ext.zeta, ext.zetaR
-    );
+    scheme_->coefficients(type, mu_, rho_, dt, ext.zeta, ext.zetaR);
+    raise(ext.zeta, rho_/dt*type.volumes(), p.couplingFactor());
+    raise(ext.zetaR, rho_/dt*type.volumeInertias(), p.couplingFactor());
 
     if (boundary_->addsInteriorInertia())
     {
@@ -459,8 +467,10 @@ Foam::fluidCoupling::response Foam::fluidCoupling::measured
     const scalarField dd(magSqr(d));
     response r{sum(dd) > 1e-6*sum(magSqr(step.end.u)), 0, 0, 1, 1};
 
-    scalarField z;
-    viscous(*scheme_, type, p.couplingFactor()*mu_, rho_, dt, z);
+    const scalarField z
+    (
+        p.couplingFactor()*viscous(*scheme_, type, mu_, rho_, dt)
+    );
     const scalar own = sum(type.masses()*dd)/dt;
     r.inertia = own + rho_*sum(type.volumes()*dd)/dt;
     r.viscosity = max(sum(z*dd), VSMALL);
@@ -499,11 +509,9 @@ Foam::scalar Foam::fluidCoupling::slowness
     }
     // Against the coefficient that has not been raised, for the present motion
     const clumpType& type = types_[p.typeId()];
-    scalarField z, raised;
-    viscous(*scheme_, type, mu_, rho_, dt, z);
-    viscous(*scheme_, type, p.couplingFactor()*mu_, rho_, dt, raised);
-    const scalarField inertia((type.masses() + rho_*type.volumes())/dt);
-    const scalar most = sum(inertia + raised)/sum(inertia + z);
+    const scalar z = sum(viscous(*scheme_, type, mu_, rho_, dt));
+    const scalar inertia = (type.mass() + rho_*type.volume())/dt;
+    const scalar most = (inertia + p.couplingFactor()*z)/(inertia + z);
 
     return
         r.known && p.step().corrected

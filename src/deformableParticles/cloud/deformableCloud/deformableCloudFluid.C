@@ -181,7 +181,6 @@ void Foam::deformableCloud::imposeEnd()
         p.step().imposedChange = p.step().end.u - p.step().imposedU;
         p.step().imposedU = p.step().end.u;
         p.step().imposedW = p.step().end.w;
-        p.step().corrected = true;
         setVelocities(p, ghosts_.images()[index++]);
     }
 

@@ -113,8 +113,7 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         const clumpStep& step = p.step();
         const vectorField du(step.end.u - step.imposedU);
         const vectorField dw(step.end.w - step.imposedW);
-        const scalar changed =
-            sqr(step.slowness)*drag_*sum(r*(magSqr(du) + sqr(r)*magSqr(dw)));
+        const scalar changed = drag_*sum(r*(magSqr(du) + sqr(r)*magSqr(dw)));
         const scalar imposed =
             power(p, start, step.imposedU, step.imposedW);
         const scalar ended = power(p, start, step.end.u, step.end.w);

@@ -403,16 +403,11 @@ bool Foam::fluidCoupling::adapt
     scalar& factor = p.couplingFactor();
     step.needsShorterStep =
         unstable && !(scheme_->damps() && factor < maxFactor);
-    if (!scheme_->damps())
+    if (!scheme_->damps() || (repeated && !unstable))
     {
         return false;
     }
     const response r(measured(p, dt));
-    step.slowness = slowness(p, dt, r);
-    if (repeated && !unstable)
-    {
-        return false;
-    }
     bool sure = p.overshoots() > 1;
     const scalar needed = neededRaise(p, r, sure);
     if (!repeated)
@@ -493,30 +488,6 @@ Foam::fluidCoupling::response Foam::fluidCoupling::measured
       ? max(r.q, sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid)
       : r.q;
     return r;
-}
-
-
-Foam::scalar Foam::fluidCoupling::slowness
-(
-    const clumpParcel& p,
-    const scalar dt,
-    const response& r
-) const
-{
-    if (p.couplingFactor() <= 1)
-    {
-        return 1;
-    }
-    // Against the coefficient that has not been raised, for the present motion
-    const clumpType& type = types_[p.typeId()];
-    const scalar z = sum(viscous(*scheme_, type, mu_, rho_, dt));
-    const scalar inertia = (type.mass() + rho_*type.volume())/dt;
-    const scalar most = (inertia + p.couplingFactor()*z)/(inertia + z);
-
-    return
-        r.known && p.step().corrected
-      ? min(max((1 - r.q)/max(r.q, VSMALL), scalar(1)), most)
-      : most;
 }
 
 

@@ -47,6 +47,8 @@ ELSEWHERE = {4: 0.25, 8: 0.1, 16: 0.05}
 
 # Mesh cells that become solid bring fluid at rest with them
 KNOWN = {(0, 1e-4): 0.948192, (0.01, 1e-4): 0.948911}
+# Ended one outer corrector too early
+KNOWN_FIRST = {(0.9, 100): 1.23703}
 
 source = "Basset-Boussinesq-Oseen, in implicit steps"
 results = Results()
@@ -67,7 +69,8 @@ for r in rows:
                     for k in (1, 2, 5, 10, 20) if k <= len(u)))
     first, later = LIMITS if usual else 2*[ELSEWHERE[across]]
     name = f"ratio {ratio:g}, viscous number {number:g}, D/dx {across:g} at {r['place']}"
-    results.add(f"first step, {name}", over[0], "-", 1, first, source)
+    results.add(f"first step, {name}", over[0], "-", 1, first, source,
+                KNOWN_FIRST.get((ratio, number)) if usual else None)
     results.add(f"largest deviation later, {name}",
                 max(over[1:], key=lambda x: abs(x - 1)), "-", 1, later, source,
                 KNOWN.get((ratio, number)) if usual else None)

@@ -176,17 +176,24 @@ void Foam::refuseUnread
         {
             continue;
         }
-        // Included files may hold entries for others, but misspelt ones are meant here
-        if
-        (
-            words.own.found(key)
-         || (
-                !meant.empty()
-             && spellingDistance(key, meant) < 2 + meant.size()/8
-            )
-        )
+        const bool misspelt =
+            !meant.empty()
+         && (
+                spellingDistance(key, meant) < 2 + meant.size()/8
+             || (
+                    words.own.found(key) && !dict.found(meant)
+                 && meant.find(key) != std::string::npos
+                )
+            );
+        if (misspelt || (words.own.found(key) && dict.isDict(key)))
         {
             refuseUnread(dict, key, known);
+        }
+        if (words.own.found(key))
+        {
+            IOWarningInFunction(dict)
+                << "Nothing reads the entry '" << key << "' and nothing refers to"
+                << " it" << endl;
         }
     }
 }

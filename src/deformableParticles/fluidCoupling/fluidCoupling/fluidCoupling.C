@@ -77,6 +77,10 @@ Foam::fluidCoupling::fluidCoupling
             mesh, types, getDict(clumpProperties, "immersedBoundary")
         )
     );
+    if (!scheme_->damps())
+    {
+        boundary_->followInSeveralSteps();
+    }
     if (surfaceImmersion::wanted(types))
     {
         if (!scheme_->damps())

@@ -72,7 +72,8 @@ Foam::immersedBoundary::immersedBoundary
         dimensionedScalar(dimless/dimTime, Zero)
     ),
     geometry_(mesh),
-    meshChanged_(false)
+    meshChanged_(false),
+    follows_(true)
 {
     checkEntries
     (
@@ -154,6 +155,7 @@ void Foam::immersedBoundary::setStrengths(const volScalarField& nu)
             solidFraction_,
             nu,
             mesh_.time().deltaTValue(),
+            follows_,
             c,
             strength_
         );

@@ -42,6 +42,7 @@ void Foam::forcingModels::continuous::setStrength
     const scalarField& solidFraction,
     const scalarField&,
     const scalar dt,
+    const bool,
     coveredCells& covered,
     scalarField& strength
 ) const

@@ -59,6 +59,7 @@ void Foam::forcingModels::sharp::setStrength
     const scalarField&,
     const scalarField& nu,
     const scalar dt,
+    const bool follows,
     coveredCells& covered,
     scalarField& strength
 ) const
@@ -75,10 +76,11 @@ void Foam::forcingModels::sharp::setStrength
             {
                 radius += s.w*radii[s.i];
             }
-            const scalar inertia = c.moves() ? 1/dt : 0;
-            S = full_*max
+            const scalar inertia = c.moves() || !follows ? 1/dt : 0;
+            S = max
             (
-                inertia, nu[c.celli]/(geometry[c.celli].width*radius)
+                follows ? full_*inertia : inertia,
+                full_*nu[c.celli]/(geometry[c.celli].width*radius)
             );
         }
         c.share = S;

@@ -73,7 +73,7 @@ for r in rows:
                 KNOWN_FIRST.get((ratio, number)) if usual else None)
     results.add(f"largest deviation later, {name}",
                 max(over[1:], key=lambda x: abs(x - 1)), "-", 1, later, source,
-                KNOWN.get((ratio, number)) if usual else None)
+                KNOWN.get((ratio, number)) if usual and len(u) == 20 else None)
     if usual:
         at = axes[numbers.index(number)]
         at.plot(range(1, len(u) + 1), over, marker=".", label=f"{ratio:g}")

@@ -411,9 +411,8 @@ bool Foam::fluidCoupling::adapt
     {
         return false;
     }
-    const response r(measured(p, dt));
     bool sure = p.overshoots() > 1;
-    const scalar needed = neededRaise(p, r, sure);
+    const scalar needed = neededRaise(p, dt, sure);
     if (!repeated)
     {
         // What other clumps did in one corrector they seldom do in two
@@ -454,76 +453,65 @@ bool Foam::fluidCoupling::raiseFactor(clumpParcel& p, const scalar raise)
 }
 
 
-Foam::fluidCoupling::response Foam::fluidCoupling::measured
+Foam::scalar Foam::fluidCoupling::neededRaise
 (
     const clumpParcel& p,
-    const scalar dt
+    const scalar dt,
+    bool& sure
 ) const
 {
     const clumpType& type = types_[p.typeId()];
     const clumpStep& step = p.step();
     const vectorField& d = step.imposedChange;
     const scalarField dd(magSqr(d));
-    response r{sum(dd) > 1e-6*sum(magSqr(step.end.u)), 0, 0, 1, 1};
+    if (sum(dd) < 1e-6*sum(magSqr(step.end.u)))
+    {
+        return 1;
+    }
 
     const scalarField z
     (
         p.couplingFactor()*viscous(*scheme_, type, mu_, rho_, dt)
     );
     const scalar own = sum(type.masses()*dd)/dt;
-    r.inertia = own + rho_*sum(type.volumes()*dd)/dt;
-    r.viscosity = max(sum(z*dd), VSMALL);
-    if (!r.known)
-    {
-        return r;
-    }
+    const scalar inside = rho_*sum(type.volumes()*dd)/dt;
+    const scalar inertia = own + inside;
+    const scalar ofViscosity = max(sum(z*dd), VSMALL);
     vectorField Gd(step.lastFluidForces - p.fluidForces());
     if (boundary_->addsInteriorInertia())
     {
         Gd -= step.presence*rho_/dt*step.solidVolumes*d;
     }
     const scalar fluid = sum(Gd & d);
-    r.q = (own + fluid)/max(r.inertia + r.viscosity, VSMALL);
+
+    const scalar q = (own + fluid)/max(inertia + ofViscosity, VSMALL);
 
     // The motion that a locked interior resists most is seldom d itself
     const bool locked = !boundary_->dilates();
-    r.most =
+    const scalar stiffest =
         locked && fluid > 0
-      ? max(r.q, sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid)
-      : r.q;
-    return r;
-}
-
-
-Foam::scalar Foam::fluidCoupling::neededRaise
-(
-    const clumpParcel& p,
-    const response& r,
-    bool& sure
-) const
-{
-    if (!r.known || r.most <= 1.5)
+      ? sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid
+      : q;
+    if (max(q, stiffest) <= 1.5)
     {
         return 1;
     }
-    const clumpStep& step = p.step();
-    const vectorField& d = step.imposedChange;
-    const scalar dd = sum(magSqr(d));
     const vectorField now(step.end.u - step.imposedU);
-    const scalar growth = -sum(now & d)/max(dd, VSMALL);
-    const bool explains = growth > 0.5*(r.q - 1) && growth < 2*(r.q - 1);
+    const scalar growth = -sum(now & d)/max(sum(dd), VSMALL);
+    const bool explains = growth > 0.5*(q - 1) && growth < 2*(q - 1);
     const bool moved = sum(magSqr(p.state().a)) > 0;
     const bool asAWhole =
         now.size()*magSqr(average(now)) > 0.5*sum(magSqr(now));
-    const bool locked = !boundary_->dilates();
     sure =
         sure
      || (
             explains && moved && (asAWhole || locked)
-         && dd > 1e-4*sum(magSqr(step.end.u))
+         && sum(dd) > 1e-4*sum(magSqr(step.end.u))
         );
 
-    return min(r.most + (r.most - 1)*r.inertia/r.viscosity, maxRaise);
+    const scalar most = max(q, stiffest);
+
+    return min(most + (most - 1)*inertia/ofViscosity, maxRaise);
 }
 
 

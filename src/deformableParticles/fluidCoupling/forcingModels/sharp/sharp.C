@@ -76,11 +76,10 @@ void Foam::forcingModels::sharp::setStrength
             {
                 radius += s.w*radii[s.i];
             }
-            const scalar inertia = c.moves() || !follows ? 1/dt : 0;
+            const scalar inertia = !follows ? 1/dt : c.moves() ? full_/dt : 0;
             S = max
             (
-                follows ? full_*inertia : inertia,
-                full_*nu[c.celli]/(geometry[c.celli].width*radius)
+                inertia, full_*nu[c.celli]/(geometry[c.celli].width*radius)
             );
         }
         c.share = S;

@@ -79,10 +79,11 @@ Foam::scalar Foam::couplingResidual::power
     // What the forces of the fluid change within a step, or move against the fluid
     const scalar rho = cloud_.fluidDensity();
     const scalar dt = flow_.p().time().deltaTValue();
+    const scalar layer = Foam::sqrt(drag_*dt/(6*constant::mathematical::pi));
     const scalar slip =
         mag(sum(p.fluidForces()))
        /(
-            drag_*rho*sum(r*(1 + r/layer_))
+            drag_*rho*sum(r*(1 + r/layer))
           + (type.mass() + rho*type.volume())/dt
         );
 
@@ -96,7 +97,6 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 {
     using constant::mathematical::pi;
     drag_ = 6*pi*gMax(flow_.nu().primitiveField());
-    layer_ = Foam::sqrt(flow_.leastNu()*flow_.p().time().deltaTValue());
 
     // Motions that need not be resolved
     const scalar least = 1e-8/flow_.p().time().deltaTValue();

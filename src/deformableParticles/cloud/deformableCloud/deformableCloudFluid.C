@@ -60,9 +60,9 @@ void Foam::deformableCloud::immerse
     label index = 0;
     for (clumpParcel& p : *this)
     {
-        const imageForces& tension = ghosts_.images()[index++].tension;
-        p.step().solidVolumes = tension.solid;
-        p.step().solidInertias = tension.solidInertia;
+        const tensionForces& tension = ghosts_.images()[index++].tension;
+        p.step().solidVolumes = tension.solidVolumes;
+        p.step().solidInertias = tension.solidInertias;
     }
     if (moving)
     {

@@ -59,11 +59,6 @@ void Foam::immersedBoundary::visit(Images& images, const Action& action) const
 
 void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
 {
-    for (clumpImage& image : images)
-    {
-        image.tension.solid = scalarField(image.x.size(), Zero);
-        image.tension.solidInertia = scalarField(image.x.size(), Zero);
-    }
     visit
     (
         images,
@@ -79,8 +74,8 @@ void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
                 for (const sphereWeight& s : weights)
                 {
                     const scalar V = c.volume*share*s.w;
-                    image.tension.solid[s.i] += V;
-                    image.tension.solidInertia[s.i] +=
+                    image.tension.solidVolumes[s.i] += V;
+                    image.tension.solidInertias[s.i] +=
                         2.0/3*V*magSqr(c.x - image.x[s.i]);
                 }
             }

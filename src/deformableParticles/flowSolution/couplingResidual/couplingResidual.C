@@ -93,6 +93,32 @@ Foam::scalar Foam::couplingResidual::power
 }
 
 
+Foam::scalar Foam::couplingResidual::imbalance
+(
+    const clumpParcel& p,
+    const vectorField& du,
+    const vectorField& dw,
+    const scalar least
+) const
+{
+    const clumpType& type = cloud_.type(p);
+    if (type.hasSurface())
+    {
+        return 0;
+    }
+    const externalForces& ext = p.step().forces;
+    const vectorField& f = p.fluidForces();
+    const vectorField& t = p.fluidTorques();
+    const scalarField& r = type.dragRadii();
+    const scalar lost =
+        sum(ext.zeta*mag(du)) + sum(ext.zetaR*mag(dw)/r);
+    const scalar size =
+        sum(mag(f) + mag(ext.f - f)) + sum((mag(t) + mag(ext.t - t))/r)
+      + drag_*cloud_.fluidDensity()*least*sum(r);
+    return lost/max(size, VSMALL);
+}
+
+
 Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 {
     using constant::mathematical::pi;
@@ -117,12 +143,14 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         const scalar imposed =
             power(p, start, step.imposedU, step.imposedW);
         const scalar ended = power(p, start, step.end.u, step.end.w);
-        const scalar floor = drag_*sum(r)*sqr(max(0.1*flow.scale, least*min(r)));
+        const scalar slowest = max(0.1*flow.scale, least*min(r));
+        const scalar floor = drag_*sum(r)*sqr(slowest);
 
         powers[0] += changed;
         powers[1] += imposed;
         powers[2] += ended;
         worst = max(worst, changed/max(max(imposed, ended), floor));
+        worst = max(worst, sqr(imbalance(p, du, dw, slowest)/3));
         if (!step.nodes.solved)
         {
             worst = sqr(GREAT);

@@ -13,7 +13,7 @@ LENGTHS = (20, 16, 16)                  # um
 SPEED = 2e-3                            # m/s, of walls and streams
 PULL = 2e-11                            # N
 GRAVITY = (300, -1000, 200)             # m/s2, of a centrifuge
-RHO, DENSITY, NU = 1000, 1100, 1e-6     # of the fluid, of the clumps
+RHO, NU = 1000, 1e-6                    # of the fluid
 RADIUS = 2e-6                           # of the spheres
 END = 2e-3                              # s, 20 steps of 1e-4 s, written four times
 SHIFT = (9.3, 5.1, 9.1)                 # um, of the bodies where the boundaries are periodic
@@ -32,6 +32,7 @@ class Scene:
         self.utilities = ["blockMesh"]  # in this order
         self.patches = {}               # of each side, x0 to z1: "wall", "cyclic" or "patch"
         self.shear = 0                  # x per y of the mesh
+        self.density = float(row["density"])
         self.types = []
         self.common()
         for factor, levels in FEATURES.items():
@@ -181,10 +182,13 @@ def inlet(scene):
     scene.add("0/p", "boundaryField { x0 { type zeroGradient; } }")
 
 
-def gradient(scene):
-    scene.add("0/U", f"internalField uniform ({SPEED} 0 0);")
-    scene.add("constant/fvOptions", "drive { type meanVelocityGradient; selectionMode all; "
-              f"fields (U); Ubar ({SPEED} 0 0); }}")
+def gradient(mean):
+    """Of the pressure, which holds a mean velocity, or keeps the fluid from sinking with bodies"""
+    def write(scene):
+        scene.add("0/U", f"internalField uniform ({mean} 0 0);")
+        scene.add("constant/fvOptions", "drive { type meanVelocityGradient; selectionMode all; "
+                  f"fields (U); Ubar ({mean} 0 0); }}")
+    return write
 
 
 # Bodies: shape, half the height, and the places of two clumps [um]; spheres that are pulled; model
@@ -218,7 +222,7 @@ def clumpType(scene, name, body):
     scene.types.append((name, body))
     if body == "capsule":
         scene.add("constant/clumpProperties", f"types {{ {name} {{ shape {{ {shape} }} "
-                  f"density {DENSITY}; {MEMBRANE} }} }}")
+                  f"density {scene.density}; {MEMBRANE} }} }}")
         return
     bonds = "" if body == "sphere" else """
         bondModel
@@ -228,7 +232,7 @@ def clumpType(scene, name, body):
         }
         dampingModel { type dampingRatio; beta 1; }"""
     scene.add("constant/clumpProperties", f"types {{ {name} {{ shape {{ {shape} sphereRadius "
-              f"{RADIUS}; }} density {DENSITY}; massModel union; motion free; {bonds} }} }}")
+              f"{RADIUS}; }} density {scene.density}; massModel union; motion free; {bonds} }} }}")
     if plus:
         scene.add("constant/clumpProperties", f"loads {{ {name} {{ type oppositeForces; "
                   f"clumpType {name}; direction (1 0 0); plus ({plus[0]}); minus ({minus[0]}); "
@@ -288,13 +292,16 @@ def conserves(scene):
                       f"{BODIES[body][4]} }} }} }}")
 
 
-def injects(scene):
-    """Small beads through the inlet."""
-    small = RADIUS*0.85
-    scene.add("constant/clumpProperties", "types { small { shape { type chain; nSpheres 1; "
-              f"sphereRadius {small}; }} density {DENSITY}; massModel union; motion free; }} }}")
-    scene.add("constant/clumpProperties", "injection { more { type rate; rate 2000; patches (x0); "
-              "clumpType small; seed 1; } }")
+def injects(patches):
+    """Small beads through those of the patches where fluid comes in."""
+    def write(scene):
+        small = RADIUS*0.85
+        scene.add("constant/clumpProperties", "types { small { shape { type chain; nSpheres 1; "
+                  f"sphereRadius {small}; }} density {scene.density}; massModel union; "
+                  "motion free; } }")
+        scene.add("constant/clumpProperties", "injection { more { type rate; rate 2000; "
+                  f"patches ({patches}); clumpType small; seed 1; }} }}")
+    return write
 
 
 FEATURES = {
@@ -316,6 +323,18 @@ FEATURES = {
         "periodicWalls": sides("cyclic", "wall", "cyclic"),
         "open": sides("patch", "wall", "wall"),
         "mixed": sides("patch", "wall", "cyclic"),
+    },
+    # Blood, of the viscosity NU at the shear rates of these scenes
+    "viscosity": {
+        "Newtonian": nothing,
+        "blood": adds("constant/transportProperties", "transportModel BirdCarreau; "
+                      f"BirdCarreauCoeffs {{ nu0 {16*NU}; nuInf {NU}; k 3.313; n 0.3568; }}"),
+        "powerLaw": adds("constant/transportProperties", "transportModel powerLaw; "
+                         f"powerLawCoeffs {{ k {30*NU}; n 0.5; nuMin {NU/2}; nuMax {30*NU}; }}"),
+    },
+    "density": {        # of the clumps [kg/m3]
+        "1100": nothing,
+        "300": nothing,
     },
     "walls": {
         "auto": nothing,
@@ -340,7 +359,8 @@ FEATURES = {
     },
     "driving": {
         "none": nothing,
-        "gradient": gradient,
+        "gradient": gradient(SPEED),
+        "noMean": gradient(0),
         "movingWall": adds("0/U", "boundaryField { y1 { type fixedValue; "
                            f"value uniform ({SPEED} 0 0); }} }}"),
         "inlet": inlet,
@@ -380,7 +400,8 @@ FEATURES = {
     },
     "injection": {
         "no": nothing,
-        "yes": injects,
+        "inlet": injects("x0"),
+        "bothEnds": injects("x0 x1"),
     },
     "disturbance": {        # see runPairs.py
         "none": nothing,
@@ -391,12 +412,13 @@ FEATURES = {
 }
 
 FORBIDDEN = [
-    ({"driving": ["gradient"], "boundaries": ["closed", "open", "mixed"]},
+    ({"driving": ["gradient", "noMean"], "boundaries": ["closed", "open", "mixed"]},
      "only a flow that is periodic along x has a mean velocity to be held"),
     ({"driving": ["movingWall"], "boundaries": ["periodic"]}, "there is no wall"),
     ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls"]},
      "there is no inlet"),
-    ({"injection": ["yes"], "driving": ["none", "gradient", "movingWall"]}, "there is no inlet"),
+    ({"injection": ["inlet", "bothEnds"], "driving": ["none", "gradient", "noMean", "movingWall"]},
+     "there is no inlet"),
     ({"conservation": ["one"], "bodies": ["spheres", "capsules"]},
      "a sphere has no shape to conserve, and a capsule keeps its volume"),
     ({"outer": ["1"], "bodies": ["capsules", "capsuleAndRing"],

@@ -12,10 +12,6 @@ KNOWN = [
     ({"outer": ["tolerance"], "dilation": ["no"], "bodies": ["shell"]}, "serial equals parallel",
      3e-4,
      "locked shells take up to fourteen outer correctors, whose acceleration magnifies round-off"),
-    ({"driving": ["gradient"], "outer": ["1", "3"], "dilation": ["no"]},
-     "mean velocity over Ubar, less 1", 0.046,
-     "after an impulsive start clumps with a locked interior follow the fluid within some steps,"
-     " with few correctors; after 18 steps the mean velocity approaches Ubar by a fifth a step"),
     ({"outer": ["3"], "gravity": ["on"]}, "momentum less impulse, over the impulse of all forces",
      0.0015,
      "three outer correctors do not converge the first step from rest, in which the coupling keeps"

@@ -7,6 +7,7 @@
 #include "clumpTotals.H"
 #include "functionNames.H"
 #include "logBuffer.H"
+#include "unreadInput.H"
 
 void Foam::runMonitor::addOptions()
 {
@@ -161,6 +162,10 @@ void Foam::runMonitor::write() const
 
 void Foam::runMonitor::endStep()
 {
+    if (runTime_.timeIndex() == runTime_.startTimeIndex() + 1)
+    {
+        unreadInput::tell(refCast<const fvMesh>(cloud_.pMesh()));
+    }
     report_.endStep();
     estimate_.add();
 }

@@ -43,20 +43,21 @@ AREA = LENGTHS[1]*LENGTHS[2]*1e-12
 
 class Judge:
     def __init__(self, scene):
-        self.scene, self.row = scene, scene.row
+        self.scene, self.row, self.density = scene, scene.row, scene.density
         self.findings, self.known, self.all = [], [], []
         self.volume = np.prod(LENGTHS)*1e-18
         weight = self.weight(3)
         # The speeds that the scene is driven with: streams, pulled and heavy spheres, and the
         # stream of a weight that nothing holds
-        self.speed = SPEED*(self.row["driving"] in ("gradient", "movingWall", "inlet")) + PULL/DRAG + np.abs(weight).sum()/DRAG
+        driven = self.row["driving"] in ("gradient", "movingWall", "inlet")
+        self.speed = SPEED*driven + PULL/DRAG + np.abs(weight).sum()/DRAG
         if self.row["boundaries"] == "periodic":
             self.speed += np.abs(weight).sum()*END/(RHO*self.volume)
 
     def weight(self, spheres):
         """Weight less buoyancy of a number of spheres [N]"""
         on = self.row["gravity"] == "on"
-        return on*spheres*4/3*np.pi*RADIUS**3*(self.scene.density - RHO)*np.array(GRAVITY)
+        return on*spheres*4/3*np.pi*RADIUS**3*(self.density - RHO)*np.array(GRAVITY)
 
     def check(self, name, value, limit, note=""):
         text = "%s: %.3g, limit %.3g %s" % (name, value, limit, note)
@@ -187,7 +188,7 @@ class Judge:
         exact = self.row["bodies"] in ("spheres", "capsules")
         size = len(volume)*PULL
         if self.row["gravity"] == "on":
-            size += sum(volume.values())*abs(self.scene.density - exact*RHO)*np.linalg.norm(GRAVITY)
+            size += sum(volume.values())*abs(self.density - exact*RHO)*np.linalg.norm(GRAVITY)
         with open(os.path.join(case, "log.rbcIbFoam")) as file:
             atRest = self.volume*float(re.search(r"fraction of the clumps\D* (\S+)",
                                                  file.read()).group(1))
@@ -196,14 +197,15 @@ class Judge:
             if self.row["gravity"] == "on":
                 # The mass is that of the volume at rest, the buoyancy that of the one at the
                 # start of the step
-                impulse += (row["time"] - before)*(self.scene.density*atRest - RHO*present)*np.array(GRAVITY)
+                impulse += (row["time"] - before)*(self.density*atRest - RHO*present)*np.array(GRAVITY)
                 if self.row["bodies"] != "spheres":
                     present = sum(r["volume"] for r in shape
                                   if abs(r["time"] - row["time"]) < 1e-9)
             before = row["time"]
             total = RHO*self.volume*np.array([row["volAverage(U) " + c] for c in "xyz"])
             for clump in (r for r in force if r["time"] == row["time"]):
-                total += volume[clump["clump"]]*(self.scene.density - RHO)*column([clump], "Ux", "Uy", "Uz")[0]
+                total += volume[clump["clump"]]*(self.density - RHO)*column(
+                    [clump], "Ux", "Uy", "Uz")[0]
             worst = max(worst, np.linalg.norm(total - impulse)/(size*row["time"]))
         self.check("momentum less impulse, over the impulse of all forces", worst, 1e-3)
 

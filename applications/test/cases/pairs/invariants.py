@@ -197,7 +197,8 @@ class Judge:
             if self.row["gravity"] == "on":
                 # The mass is that of the volume at rest, the buoyancy that of the one at the
                 # start of the step
-                impulse += (row["time"] - before)*(self.density*atRest - RHO*present)*np.array(GRAVITY)
+                impulse += (row["time"] - before)*np.array(GRAVITY)*(
+                    self.density*atRest - RHO*present)
                 if self.row["bodies"] != "spheres":
                     present = sum(r["volume"] for r in shape
                                   if abs(r["time"] - row["time"]) < 1e-9)

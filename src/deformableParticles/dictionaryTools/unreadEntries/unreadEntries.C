@@ -17,7 +17,7 @@ namespace
 
 using namespace Foam;
 
-//- Names after a dollar sign, and names that stand in the file itself
+//- Names after a dollar sign, and names at the top level of the file itself
 struct fileWords
 {
     wordHashSet referred;
@@ -32,6 +32,24 @@ void collect(const std::string& text, const std::regex& pattern, wordHashSet& na
     {
         names.insert(word((*i)[1].str(), false));
     }
+}
+
+
+//- What stands in no dictionary of a file
+std::string topLevel(const std::string& text)
+{
+    std::string result;
+    label depth = 0;
+    for (const char c : text)
+    {
+        depth -= c == '}';
+        if (depth == 0)
+        {
+            result += c == '}' ? ' ' : c;
+        }
+        depth += c == '{';
+    }
+    return result;
 }
 
 
@@ -61,7 +79,8 @@ void read(const fileName& file, fileWords& words, const label depth)
     if (!depth)
     {
         text = std::regex_replace(text, quoted, " ");
-        collect(std::regex_replace(text, references, " "), any, words.own);
+        text = topLevel(std::regex_replace(text, references, " "));
+        collect(text, any, words.own);
     }
     for (const std::string& name : paths)
     {

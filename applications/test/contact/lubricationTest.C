@@ -257,6 +257,35 @@ TEST_CASE("lubrication: on where something is near", "[lubrication][effects]")
 }
 
 
+TEST_CASE("lubrication: nothing bounces below a Stokes number of ten", "[lubrication]")
+{
+    // Two equal spheres in half of the duration of a contact
+    const scalar density = 1e9, mu = rho*nu;
+    const auto solves = [&](const scalar Stokes)
+    {
+        // St = m*/(6 pi mu R*^2) 2 u
+        const scalar m = density*4.0/3.0*constant::mathematical::pi*pow3(r);
+        const scalar u = Stokes*6*constant::mathematical::pi*mu*sqr(0.5*r)/m;
+        const scalar k = 4.0/3.0*1000*Foam::sqrt(0.5*r);
+        const scalar T = 2.943*Foam::pow(1.25*0.5*m*sqr(2*u)/k, 0.4)/(2*u);
+        OStringStream heavy;
+        heavy << "types { bead { density " << density << "; } }";
+        wetCloud t
+        (
+            0.5*T,
+            at("bead", point(5e-6, 10e-6, 10e-6), vector(u, 0, 0))
+          + at("bead", point(5e-6 + 2*r + 1e-10, 10e-6, 10e-6), vector(-u, 0, 0)),
+            heavy.str()
+        );
+        return returnReduce(t.cloud->motion().nSolves(), sumOp<label>());
+    };
+    const label below = solves(9), above = solves(11);
+    INFO(below << " and " << above << " solutions");
+    CHECK(below < 30);
+    CHECK(above > 2*16);
+}
+
+
 TEST_CASE("lubrication: what it needs", "[lubrication]")
 {
     const string pair

@@ -9,7 +9,7 @@ void Foam::clumpMotion::findContacts(const scalar dt)
 {
     const bool betweenClumps = clumps_.effects().active("contact");
     const bool atWalls = clumps_.effects().active("walls");
-    if (clumps_.coupled())
+    if (coupling_)
     {
         gaps_.setViscosity(coupling_->viscosity());
     }

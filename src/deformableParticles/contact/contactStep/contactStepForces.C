@@ -29,6 +29,7 @@ vector of(const vectorField& moves, const label i)
 void Foam::contactStep::begin(const scalar dt)
 {
     dt_ = dt;
+    leaveParts();
     move(true);
     if (rubs_)
     {
@@ -84,11 +85,13 @@ void Foam::contactStep::move(const bool all)
             moved_[a] = p.step().end.x - p.state().x;
             if (rubs_)
             {
+                const clumpState& start =
+                    inPart_ && starts_[a] ? *starts_[a] : p.state();
                 forAll(turned_[a], i)
                 {
                     turned_[a][i] = rotationVector
                     (
-                        p.step().end.q[i]*conjugate(p.state().q[i])
+                        p.step().end.q[i]*conjugate(start.q[i])
                     );
                 }
             }

@@ -101,6 +101,11 @@ Foam::vector Foam::contactStep::slip(const touch& t) const
 {
     const vector& n = t.slipNormal;
     vector dx(displacement(t));
+    if (inPart_)
+    {
+        dx -= before_[t.a][t.i];
+        dx += t.b < 0 ? vector::zero : before_[t.slot][t.j];
+    }
     vector turned(t.arm*turned_[t.a][t.i]);
     if (t.b >= 0)
     {

@@ -18,6 +18,7 @@ void Foam::contactStep::clearMembers()
     nRenewed_.clear();
     isMember_ = Zero;
     hasNewMembers_ = false;
+    leaveParts();
 }
 
 
@@ -123,6 +124,7 @@ void Foam::contactStep::endSearch()
     setSlots();
     setRanges();
     distribute(true);
+    findBounces();
 
     search_.dt = span_;
     search_.tooNarrow = false;

@@ -86,11 +86,12 @@ void Foam::contactStep::shareWalls
     const pointField x(p.centres() + moved_[a]);
 
     // Films and planes that do not act yet stay; what seemed to act by a plane continued
-    // beyond the wall does not
+    // beyond the wall does not. A part of a step may end where a contact begins
+    const scalar least = inPart_ ? 1e-9*min(r) : 0;
     DynamicList<touch> result;
     for (const touch& t : ofClump)
     {
-        if (t.d <= 0 || !t.touches)
+        if (t.d <= least || !t.touches)
         {
             result.append(t);
         }
@@ -101,13 +102,28 @@ void Foam::contactStep::shareWalls
       : contactShares::ofWalls(walls_.surface(), wallsNear_[a], x, r)
     )
     {
+        if (c.wall.overlap <= least)
+        {
+            continue;
+        }
         touch t(ofWall(a, c.i, x[c.i], c.wall, c.wall.overlap));
         t.touches = true;
         t.law = &walls_.laws()(p.typeId(), c.wall.patch);
         t.radii = t.d + fromWall(t, moved_[a][c.i]);
-        t.first = t.radii;
+        t.first =
+            t.radii - (inPart_ ? fromWall(t, before_[a][c.i]) : 0);
         t.share = c.share;
         t.ratio = c.depth/c.wall.overlap;
+        // The mass that the sphere had there before
+        scalar m = GREAT;
+        for (const touch& former : ofClump)
+        {
+            if (former.touches && former.i == t.i)
+            {
+                m = min(m, former.m);
+            }
+        }
+        t.m = m < GREAT ? m : t.m;
         result.append(t);
     }
     ofClump.transfer(result);

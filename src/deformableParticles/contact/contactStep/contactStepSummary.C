@@ -60,5 +60,6 @@ Foam::contactSummary Foam::contactStep::summary() const
                 half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.slot))*t.n;
         }
     }
+    result.virial = virial_ + counts_*result.virial;
     return result;
 }

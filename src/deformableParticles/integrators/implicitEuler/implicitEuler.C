@@ -80,8 +80,37 @@ Foam::label Foam::integrators::implicitEuler::advance
     const scalar dt
 ) const
 {
-    UList<clumpInteraction::member>& members = group.members();
     group.begin(dt);
+    if (group.bounces())
+    {
+        return advanceInParts(group, dt);
+    }
+    const label nSolves = solve(group, dt, group.endsStep || group.turns());
+    breakBonds(group);
+    return nSolves;
+}
+
+
+void Foam::integrators::implicitEuler::breakBonds(clumpInteraction& group)
+{
+    for (clumpInteraction::member& member : group.members())
+    {
+        if (member.bonds->breakable())
+        {
+            bondForces(*member.bonds).breakBonds(*member.end);
+        }
+    }
+}
+
+
+Foam::label Foam::integrators::implicitEuler::solve
+(
+    clumpInteraction& group,
+    const scalar dt,
+    const bool exact
+) const
+{
+    UList<clumpInteraction::member>& members = group.members();
 
     clumpInteraction::motions steps;
     for (const clumpInteraction::member& m : members)
@@ -109,11 +138,10 @@ Foam::label Foam::integrators::implicitEuler::advance
         }
     }
 
-    // Friction is found by several solutions with an ever sharper corner
-    const bool exact = group.endsStep || group.turns();
     const label most = exact ? maxIterations_ : min(maxIterations_, few);
     const scalar reduction = exact ? 0 : rough;
 
+    // Friction is found by several solutions with an ever sharper corner
     jointMinimiser newton(group, dt, tolerance_, most);
     newton.predict(steps);
     bool converged = newton.minimise(reduction);
@@ -153,7 +181,6 @@ Foam::label Foam::integrators::implicitEuler::advance
         (
             member.bonds->type(), ext, dt, *member.start, *member.end
         );
-        newton.potential(m).forces().breakBonds(*member.end);
     }
     return newton.nSolves();
 }

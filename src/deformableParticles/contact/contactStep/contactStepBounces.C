@@ -1,0 +1,455 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "contactStep.H"
+#include "mathematicalConstants.H"
+#include "rigidResponse.H"
+#include "vector2D.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Parts of a step per duration of a contact. An elastic collision loses less than 0.1 %
+//  of the energy to the method of implicitEuler with 16
+constexpr scalar partsPerContact = 16;
+
+//- Steps that are longer than so many durations are not divided
+constexpr scalar longest = 10;
+
+//- Stokes number below which nothing bounces
+constexpr scalar leastStokes = 10;
+
+//- Share below which a contact is left to its neighbours
+constexpr scalar leastShare = 1e-6;
+
+
+//- Time in which a gap closes at this speed and acceleration
+scalar closing(const scalar gap, const scalar v, const scalar a)
+{
+    const scalar square = sqr(v) + 2*a*gap;
+    const scalar sum = v + Foam::sqrt(max(square, scalar(0)));
+    return square < 0 || sum <= 0 ? GREAT : 2*gap/sum;
+}
+
+}
+
+
+Foam::scalar Foam::contactStep::wholeMass(const touch& t) const
+{
+    const clumpType& own = type(t.a);
+    if (t.b < 0)
+    {
+        return own.mass();
+    }
+    const clumpType& other = types_[ghosts_.images()[t.b].typeId];
+    return
+        other.fixed() ? own.mass()
+      : own.fixed() ? other.mass()
+      : contactModel::reduced(own.mass(), other.mass());
+}
+
+
+bool Foam::contactStep::stokesAllows(const touch& t, const scalar u) const
+{
+    const auto radius = [](const clumpType& ct)
+    {
+        return Foam::cbrt(0.75*ct.volume()/constant::mathematical::pi);
+    };
+    scalar R = radius(type(t.a));
+    if (t.b >= 0)
+    {
+        R = contactModel::reduced
+        (
+            R, radius(types_[ghosts_.images()[t.b].typeId])
+        );
+    }
+    return
+        wholeMass(t)*u
+      > leastStokes*6*constant::mathematical::pi*gaps_.viscosity()*sqr(R);
+}
+
+
+bool Foam::contactStep::hasEnergy
+(
+    const touch& t,
+    const scalar v,
+    const scalar overlap
+) const
+{
+    const scalar square = sqr(v) + 2*elastic(t, overlap)/wholeMass(t);
+    return square > 0 && stokesAllows(t, Foam::sqrt(square));
+}
+
+
+Foam::scalar Foam::contactStep::elastic(const touch& t, const scalar overlap)
+{
+    if (!t.touches || overlap <= 0 || t.share < leastShare)
+    {
+        return 0;
+    }
+    // Slow enough for the damping to vanish
+    const scalar depth = t.ratio*overlap;
+    return t.share/t.ratio*t.law->step(depth, depth, GREAT, t.R, t.m).energy;
+}
+
+
+Foam::scalar Foam::contactStep::duration(const touch& t, const scalar energy)
+{
+    // Newton's method for the largest overlap, of logarithms: the energy is nearly a
+    // power of it
+    scalar d = 0.01*t.R;
+    for (label n = 0; n < 20; ++n)
+    {
+        const scalar depth = t.ratio*d;
+        const auto w = t.law->step(depth, depth, GREAT, t.R, t.m);
+        const scalar V = t.share/t.ratio*w.energy;
+        const scalar slope = t.share*w.force*d;
+        if (V <= 0 || slope <= 0)
+        {
+            return GREAT;
+        }
+        const scalar change = V/slope*Foam::log(energy/V);
+        d *= Foam::exp(min(max(change, scalar(-5)), scalar(5)));
+        if (mag(change) < 1e-3)
+        {
+            break;
+        }
+    }
+    return 3*d/Foam::sqrt(2*energy/t.m);
+}
+
+
+Foam::scalar Foam::contactStep::approach
+(
+    const touch& t,
+    const List<vectorField>& u,
+    const label i,
+    const label j
+)
+{
+    const vector& own = u[t.a][i];
+    return -t.n & (t.b < 0 ? own : vector(own - u[t.slot][j]));
+}
+
+
+void Foam::contactStep::setMasses
+(
+    UList<touch>& ofTwo,
+    const List<vectorField>& u,
+    const scalar span
+) const
+{
+    bool bounces = false;
+    DynamicList<label> acting;
+    forAll(ofTwo, k)
+    {
+        touch& t = ofTwo[k];
+        if (t.touches)
+        {
+            evaluate(t);
+            const scalar v = approach(t, u, t.i, t.j);
+            bounces = bounces || hasEnergy(t, v, t.d);
+            if (t.share > leastShare && t.d + max(v, scalar(0))*span > 0)
+            {
+                acting.append(k);
+            }
+        }
+    }
+    if (!bounces)
+    {
+        return;
+    }
+
+    const touch& any = ofTwo[0];
+    const pointField xA(clumps_[any.a].centres() + moved_[any.a]);
+    const rigidResponse a(type(any.a), xA);
+    pointField xB;
+    autoPtr<rigidResponse> b;
+    if (any.b >= 0)
+    {
+        const clumpImage& B = ghosts_.images()[any.b];
+        xB = B.x + moved_[any.slot];
+        b.reset(new rigidResponse(types_[B.typeId], xB));
+    }
+    const auto response = [&](const touch& s, const touch& t)
+    {
+        return
+            a(xA[s.i], s.n, xA[t.i], t.n)
+          + (b.valid() ? (*b)(xB[s.j], s.n, xB[t.j], t.n) : 0);
+    };
+    for (touch& t : ofTwo)
+    {
+        t.m = t.touches ? 1/response(t, t) : t.m;
+    }
+    for (const label k : acting)
+    {
+        // Bodies that are squeezed between others have a negative sum
+        touch& t = ofTwo[k];
+        scalar ofOthers = 0;
+        for (const label l : acting)
+        {
+            const touch& s = ofTwo[l];
+            ofOthers += l == k ? 0 : s.share*s.ratio*response(t, s);
+        }
+        const scalar own = acting.size() > 1 ? t.share*t.ratio : 1;
+        t.m = 1/(own/t.m + max(ofOthers, scalar(0)));
+    }
+}
+
+
+bool Foam::contactStep::mayBounce() const
+{
+    for (const touch& t : touches_)
+    {
+        if (!t.touches)
+        {
+            continue;
+        }
+        vector v(clumps_[t.a].state().u[t.i]);
+        if (t.b >= 0)
+        {
+            v -= ghosts_.images()[t.b].u[t.j];
+        }
+        if (hasEnergy(t, mag(v), t.first))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::contactStep::findBounces()
+{
+    bounces_ = returnReduce(mayBounce(), orOp<bool>());
+    if (bounces_)
+    {
+        // An explicit integrator needs the masses, too
+        const List<touch> before(touches_);
+        scalar unresolved = GREAT;
+        bounces_ = toNext(span_, unresolved).x() < GREAT;
+        if (!bounces_)
+        {
+            touches_ = before;
+        }
+        reduce(unresolved, minOp<scalar>());
+        if (unresolved < GREAT && !told_)
+        {
+            told_ = true;
+            Info<< "A contact of " << unresolved << " s in a step of " << span_
+                << " s: bodies keep their restitution in steps of up to " << longest
+                << " times that, and bounce less in longer ones" << endl;
+        }
+    }
+}
+
+
+Foam::vector2D Foam::contactStep::toNext
+(
+    const scalar left,
+    scalar& unresolved
+)
+{
+    // Velocities, and the accelerations without and with the contacts
+    List<vectorField> u(moved_.size());
+    List<vectorField> accelerations(moved_.size());
+    List<const externalForces*> forces(clumps_.size(), nullptr);
+    forAll(members_, m)
+    {
+        forces[clumpOf_[m]] = members_[m].ext;
+    }
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        const clumpParcel& p = clumps_[a];
+        u[a] = inPart_ ? p.step().end.u : p.state().u;
+        accelerations[a] = vectorField(2, Zero);
+        if (type(a).fixed() || type(a).hasSurface())
+        {
+            u[a] = Zero;
+            continue;
+        }
+        if (!inPart_)
+        {
+            forces[a] = &p.step().forces;
+        }
+        vector f(Zero);
+        scalar mass = type(a).mass();
+        if (forces[a])
+        {
+            // In parts the coupling is inertia alone
+            const externalForces& ext = *forces[a];
+            f = sum(ext.f);
+            if (!inPart_)
+            {
+                f -= sum(ext.zeta*(u[a] - ext.imposedU));
+            }
+            mass += dt_*sum(ext.zeta);
+        }
+        accelerations[a][0] = f/mass;
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            touch t(touches_[k]);
+            evaluate(t);
+            t.first = t.d;
+            evaluate(t);
+            f += t.w.force*t.n;
+        }
+        accelerations[a][1] = f/mass;
+    }
+    remote_.exchange(u);
+    remote_.exchange(accelerations);
+
+    vector2D result(GREAT, GREAT);
+    for (label a = 0; a < clumps_.size(); ++a)
+    {
+        label next = begins_[a];
+        for (label k = next; k < begins_[a + 1]; k = next)
+        {
+            while (next < begins_[a + 1] && touches_[next].b == touches_[k].b)
+            {
+                ++next;
+            }
+            if (inPart_ && !isMember_[a])
+            {
+                continue;
+            }
+            SubList<touch> ofTwo(touches_, next - k, k);
+            setMasses(ofTwo, u, min(left, span_/partsPerContact));
+            for (const touch& t : ofTwo)
+            {
+                if (!t.touches || t.share < leastShare)
+                {
+                    continue;
+                }
+                const scalar v = approach(t, u, t.i, t.j);
+                const scalar V = elastic(t, t.d);
+                const scalar E = 0.5*t.m*sqr(v) + V;
+                if (E <= 0 || (V <= 0 && v <= 0))
+                {
+                    continue;
+                }
+                const scalar T = duration(t, E);
+                const scalar own = max
+                (
+                    mag(accelerations[a][0]),
+                    t.b < 0 ? 0 : mag(accelerations[t.slot][0])
+                );
+                const scalar turning =
+                    V > 0
+                  ? approach(t, accelerations, 1, 1)*T/constant::mathematical::pi
+                  : 0;
+                const scalar speed = Foam::sqrt(sqr(v) + sqr(turning));
+                const scalar begins =
+                    V > 0
+                  ? 0
+                  : closing(max(-t.d, 0.0), v, approach(t, accelerations, 0, 0));
+                if
+                (
+                    begins >= left
+                 || !stokesAllows(t, speed)
+                 || speed <= own*span_
+                 || speed*span_ <= 1e-6*t.R
+                )
+                {
+                    continue;
+                }
+                if (span_ > longest*T)
+                {
+                    unresolved = min(unresolved, T);
+                    continue;
+                }
+                const scalar h = T/partsPerContact;
+                result =
+                    min(result, vector2D(V > 0 ? h : max(begins, 0.05*h), h));
+            }
+        }
+    }
+    return returnReduce(result, minOp<vector2D>());
+}
+
+
+Foam::scalar Foam::contactStep::part(const scalar left, bool& resolves)
+{
+    // What has been left may be met again
+    touches_ = search_.touches;
+    begins_ = search_.begins;
+    inPart_ = true;
+    setStarts();
+    for (touch& t : touches_)
+    {
+        if (isMember_[t.a])
+        {
+            evaluate(t);
+        }
+    }
+    distribute(false);
+    scalar unresolved = GREAT;
+    const vector2D h(toNext(left, unresolved));
+    resolves = h.x() < GREAT;
+    return left - h.x() > 0.1*h.y() ? h.x() : left;
+}
+
+
+void Foam::contactStep::setStarts()
+{
+    starts_ = List<const clumpState*>(clumps_.size(), nullptr);
+    forAll(members_, m)
+    {
+        starts_[clumpOf_[m]] = members_[m].start;
+    }
+    move(true);
+    before_ = moved_;
+}
+
+
+void Foam::contactStep::beginStage(const scalar dt)
+{
+    dt_ = dt;
+    leastEigenvalue = 0;
+    setStarts();
+    for (touch& t : touches_)
+    {
+        if (isMember_[t.a])
+        {
+            evaluate(t);
+            t.first = t.d;
+        }
+    }
+    if (rubs_)
+    {
+        smoothing_ = 1000;
+        renew_ = true;
+        evaluate();
+        setPressed();
+    }
+    renew_ = true;
+}
+
+
+void Foam::contactStep::endStage(const scalar fraction)
+{
+    counts_ = fraction;
+    virial_ = summary().virial;
+    counts_ = 0;
+    starts_ = List<const clumpState*>(clumps_.size(), nullptr);
+}
+
+
+Foam::scalar Foam::contactStep::elasticEnergy() const
+{
+    scalar result = 0;
+    for (const label a : clumpOf_)
+    {
+        for (label k = begins_[a]; k < begins_[a + 1]; ++k)
+        {
+            const touch& t = touches_[k];
+            const bool both = t.b >= 0 && isMember_[t.slot];
+            result += (both ? 0.5 : 1)*elastic(t, t.d);
+        }
+    }
+    return result;
+}

@@ -86,7 +86,7 @@ string rodType(const label n)
 }
 
 
-TEST_CASE("bounce: a sphere leaves a wall as asked, at any step", "[contact][walls]")
+TEST_CASE("bounce: a sphere leaves a wall as asked, at any step", "[contact][walls][serial]")
 {
     const scalar e = GENERATE(1.0, 0.9, 0.5, 0.2);
     const scalar part = GENERATE(0.02, 0.2, 1.0, 5.0);
@@ -143,7 +143,7 @@ TEST_CASE("bounce: two free spheres of different masses", "[contact]")
 }
 
 
-TEST_CASE("bounce: rods on a wall as rigid bodies", "[contact][walls]")
+TEST_CASE("bounce: rods on a wall as rigid bodies", "[contact][walls][serial]")
 {
     // On the end, inclined and on the side
     const label n = GENERATE(1, 3, 10);
@@ -185,7 +185,7 @@ TEST_CASE("bounce: rods on a wall as rigid bodies", "[contact][walls]")
 }
 
 
-TEST_CASE("bounce: a rod hits the end of another one", "[contact]")
+TEST_CASE("bounce: a rod hits the end of another one", "[contact][serial]")
 {
     // On its own end, across the other one
     const label n = GENERATE(3, 10);
@@ -227,7 +227,7 @@ TEST_CASE("bounce: a rod hits the end of another one", "[contact]")
 }
 
 
-TEST_CASE("bounce: Newton's cradle of three", "[contact]")
+TEST_CASE("bounce: Newton's cradle of three", "[contact][serial]")
 {
     // Contacts one after the other, and at the same time
     const scalar gap = GENERATE(0.03e-6, 1e-11);

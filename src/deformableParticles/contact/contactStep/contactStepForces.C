@@ -164,10 +164,19 @@ void Foam::contactStep::evaluate(touch& t) const
     t.pressing = t.w.force;
     if (t.reaches && max(t.d, t.first) > -t.range)
     {
-        const contactModel::increment w = gaps_.step
+        // Where bodies bounce, a gap that has closed squeezes nothing out any more: the
+        // overlap is a deformation of the bodies
+        const scalar least = inPart_ ? 0 : -GREAT;
+        const scalar gap = max(-t.d, least);
+        contactModel::increment w = gaps_.step
         (
-            -t.d, -t.first, dt_, t.gapR, t.cellWidth, t.b < 0
+            gap, max(-t.first, least), dt_, t.gapR, t.cellWidth, t.b < 0
         );
+        if (gap > -t.d)
+        {
+            w.energy += w.force*(gap + t.d);
+            w.stiffness = 0;
+        }
         t.w.energy += t.gapShare*w.energy;
         t.w.force += t.gapShare*w.force;
         t.w.stiffness += t.gapShare*w.stiffness;

@@ -222,6 +222,18 @@ void Foam::bondForces::breakBonds(clumpState& s) const
 }
 
 
+Foam::Pair<Foam::scalar> Foam::bondForces::stresses
+(
+    const clumpState& s,
+    const label bondi
+) const
+{
+    const clumpBonds::bond& b = bonds_.bonds()[bondi];
+    const bondResponse r(elastic(bondi, frameOf(b, s)));
+    return bondModel::stresses(r.n, r.m, r.t, b.direction, b.radius);
+}
+
+
 Foam::scalarField Foam::bondForces::tension(const clumpState& s) const
 {
     scalarField result(bonds_.bonds().size(), Zero);

@@ -56,9 +56,28 @@ Foam::clumpBonds::clumpBonds(const clumpType& type, const dictionary& dict)
 }
 
 
+Foam::clumpBonds::clumpBonds(const clumpType& piece, const clumpBonds& whole)
+:
+    type_(piece),
+    law_(whole.law_),
+    damped_(false),
+    thinning_(whole.thinning_),
+    pattern_(piece.size(), piece.pairs())
+{
+    for (const label b : piece.bondsOf(whole.type_))
+    {
+        bond part(whole.bonds_[b]);
+        part.i = piece.sphere(part.i);
+        part.j = piece.sphere(part.j);
+        damped_ = damped_ || part.damping.any();
+        bonds_.append(part);
+    }
+}
+
+
 void Foam::clumpBonds::makeBonds(const dictionary& dict)
 {
-    law_ = selectModel<bondModel>(getDict(dict, "bondModel"));
+    law_.reset(selectModel<bondModel>(getDict(dict, "bondModel")).ptr());
     const autoPtr<dampingModel> damping
     (
         selectModel<dampingModel>(getDict(dict, "dampingModel"))

@@ -86,7 +86,7 @@ void Foam::clumpCount::set(const label nInside)
     file_.set("nClumps", nInside_);
     if (!file_.found("placed"))
     {
-        file_.set("placed", nInside_ + left() - entered());
+        file_.set("placed", nInside_ + left() - entered() - brokenOff());
     }
 }
 
@@ -195,12 +195,13 @@ void Foam::clumpCount::endStep(const label nHere)
         here_.clear();
     }
 
-    const label lost = placed() + entered() - left() - inside();
+    const label lost = placed() + entered() + brokenOff() - left() - inside();
     if (lost)
     {
         FatalErrorInFunction
-            << "Of " << placed() << " clumps placed and " << entered()
-            << " that entered, " << left() << " have left and " << inside()
-            << " are inside: " << lost << " are missing." << abort(FatalError);
+            << "Of " << placed() << " clumps placed, " << entered()
+            << " that entered and " << brokenOff() << " pieces that broke off, "
+            << left() << " have left and " << inside() << " are inside: "
+            << lost << " are missing." << abort(FatalError);
     }
 }

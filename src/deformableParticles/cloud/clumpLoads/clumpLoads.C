@@ -172,7 +172,7 @@ bool Foam::clumpLoads::changeHolds
     for (clumpParcel& p : clumps)
     {
         const clumpType& ct = types_[p.typeId()];
-        const symmTensor& along = held_[p.typeId()];
+        const symmTensor& along = held(p.typeId());
         clumpStep& step = p.step();
         const vector strayed
         (
@@ -216,7 +216,7 @@ bool Foam::clumpLoads::changeHolds
         else
         {
             // What is left is below the tolerance of the solution
-            const vector du(held_[p.typeId()] & step.end.velocity(ct));
+            const vector du(held(p.typeId()) & step.end.velocity(ct));
             step.forces.f -=
                 (ct.masses()/dt + step.forces.zeta)*du;
             step.end.x -= step.strayed;

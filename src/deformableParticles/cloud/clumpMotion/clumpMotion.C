@@ -4,87 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpMotion.H"
-#include "clumpPieces.H"
 #include "clumpTotals.H"
 #include "mathematicalConstants.H"
-#include "Tuple2.H"
 #include "vector2D.H"
-
-namespace
-{
-
-using namespace Foam;
-
-//- Tell which bonds have broken in the step, before its end is accepted
-void announceBreaks(const clumpSuspension& clumps)
-{
-    bool breakable = false;
-    for (const clumpBonds& bonds : clumps.bonds())
-    {
-        breakable = breakable || bonds.breakable();
-    }
-    if (!breakable)
-    {
-        return;
-    }
-
-    // With the numbers of the clump and the bond to sort them
-    typedef Tuple2<labelPair, string> said;
-    List<List<said>> all(Pstream::nProcs());
-    List<said>& here = all[Pstream::myProcNo()];
-    for (const clumpParcel& p : clumps)
-    {
-        const clumpType& type = clumps.type(p);
-        const scalarField& now = p.step().end.broken;
-        const scalarField& before = p.state().broken;
-        forAll(now, b)
-        {
-            if (now[b] == 0 || (before.size() && before[b] != 0))
-            {
-                continue;
-            }
-            OStringStream os;
-            os  << "Bond " << b << " of clump " << p.origId() << " (" << type.name()
-                << "), between the spheres " << type.pairs()[b].first() << " and "
-                << type.pairs()[b].second() << ", has broken at "
-                << p.centre(type) << "; pieces: "
-                << clumpPieces(type, p.step().end).size();
-            here.append(said(labelPair(p.origId(), b), os.str()));
-        }
-    }
-    if (!returnReduce(here.size() > 0, orOp<bool>()))
-    {
-        return;
-    }
-    Pstream::gatherList(all);
-    List<said> sorted;
-    for (const List<said>& some : all)
-    {
-        sorted.append(some);
-    }
-    Foam::stableSort
-    (
-        sorted,
-        [](const said& a, const said& b)
-        {
-            return
-                a.first().first() < b.first().first()
-             || (
-                    a.first().first() == b.first().first()
-                 && a.first().second() < b.first().second()
-                );
-        }
-    );
-    for (const said& s : sorted)
-    {
-        Info<< "Time " << clumps.mesh().time().timeName() << ": "
-            << s.second().c_str() << nl;
-    }
-    Info<< flush;
-}
-
-}
-
 
 Foam::clumpMotion::clumpMotion
 (
@@ -381,7 +303,7 @@ void Foam::clumpMotion::endCorrector(const scalar dt)
 
 void Foam::clumpMotion::accept(const vector& flowChange)
 {
-    announceBreaks(clumps_);
+    clumps_.breakage().note(clumps_);
     const scalar dt = clumps_.mesh().time().deltaTValue();
     for (clumpParcel& p : clumps_)
     {

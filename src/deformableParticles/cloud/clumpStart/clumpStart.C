@@ -40,10 +40,15 @@ void Foam::clumpStart::restart(clumpSuspension& cloud)
 {
     const Time& time = cloud.pMesh().time();
     const dictionary& dict = cloud.properties();
-    clumpFields::read
+    writtenTypes written(cloud.name(), time, cloud.types(), dict);
+    written.addPieces
     (
-        cloud, cloud.types(), writtenTypes(cloud.name(), time, cloud.types(), dict)
+        [&](const label whole, const labelList& spheres)
+        {
+            return cloud.pieceType(whole, spheres);
+        }
     );
+    clumpFields::read(cloud, cloud.types(), written);
     Info<< "Read " << returnReduce(cloud.size(), sumOp<label>())
         << " clumps from time " << time.timeName()
         << (dict.found("placement") ? "; the entry placement is not used" : "")

@@ -93,6 +93,7 @@ bool Foam::clumpSuspension::transfer()
     {
         coupling_->report(*this, nClumps());
     }
+    breakage_.divide(*this, *injector_, count_);
     removeLeaving();
     const scalar dt = mesh_.time().deltaTValue();
     for (clumpParcel& p : *this)

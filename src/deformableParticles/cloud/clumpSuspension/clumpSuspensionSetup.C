@@ -25,7 +25,8 @@ Foam::clumpSuspension::clumpSuspension
     effects_(dict_),
     ghosts_(mesh),
     openPatches_(mesh, dict_),
-    count_(mesh, types_, name)
+    count_(mesh, types_, name),
+    breakage_(mesh)
 {
     effects_.decide(dict_, mesh_);
     readTypes();
@@ -78,6 +79,48 @@ void Foam::clumpSuspension::readTypes()
         membranes_.read(i, type);
         typeIds_.insert(names[i], i);
     }
+    refuseNamesOfPieces(types);
+}
+
+
+void Foam::clumpSuspension::refuseNamesOfPieces(const dictionary& dict) const
+{
+    forAll(types_, i)
+    {
+        const word& name = types_[i].name();
+        const auto end = name.find_last_not_of("0123456789-+");
+        if (end == std::string::npos || end + 1 == name.size() || name[end] != '.')
+        {
+            continue;
+        }
+        const word whole(name.substr(0, end));
+        if (typeIds_.found(whole) && bonds_[typeIds_[whole]].breakable())
+        {
+            FatalIOErrorInFunction(getDict(dict, name))
+                << "Clump type " << name << " has the name that pieces of a broken "
+                << whole << " may have: choose another name." << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::label Foam::clumpSuspension::pieceType
+(
+    const label whole,
+    const labelUList& spheres
+)
+{
+    autoPtr<clumpType> type(new clumpType(types_[whole], whole, spheres));
+    forAll(types_, i)
+    {
+        if (types_[i].isPiece() && types_[i].name() == type->name())
+        {
+            return i;
+        }
+    }
+    types_.append(type.ptr());
+    bonds_.append(new clumpBonds(types_.last(), bonds_[whole]));
+    return types_.size() - 1;
 }
 
 
@@ -145,6 +188,12 @@ bool Foam::clumpSuspension::readOrPlace()
         )
     );
     injector_->begin(*this);
+    if (restarts)
+    {
+        // Versions that kept the pieces together have written them so
+        breakage_.divide(*this, *injector_, count_, true);
+        count_.start(size());
+    }
     openPatches_.report();
     updateGhosts();
     if (dict_.found("injection"))

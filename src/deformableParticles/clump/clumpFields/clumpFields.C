@@ -243,6 +243,14 @@ void Foam::clumpFields::readTypes
     (
         written.present(readValues<label>(c, "typeId"))
     );
+    const IOField<label> pieces
+    (
+        fieldObject(c, "pieceOf", IOobject::READ_IF_PRESENT), c.size() > 0
+    );
+    if (pieces.size())
+    {
+        checkNumber(c, pieces, pieces.size());
+    }
     const scalarField factors(readValues<scalar>(c, "couplingFactor"));
     const labelField overshoots(readValues<label>(c, "couplingOvershoots"));
     label i = 0;
@@ -259,6 +267,7 @@ void Foam::clumpFields::readTypes
             );
         }
         const clumpType& type = types[p.typeId_];
+        p.pieceOf_ = pieces.size() ? pieces[i] : -1;
         p.state_ = clumpState(type);
         p.state_.broken.setSize(type.pairs().size(), 0);
         if (type.hasSurface())
@@ -402,6 +411,7 @@ void Foam::clumpFields::writeTypes
     (
         fieldObject(c, "typeId", IOobject::NO_READ), c.size()
     );
+    IOField<label> pieces(fieldObject(c, "pieceOf", IOobject::NO_READ), c.size());
     IOField<vector> U(fieldObject(c, "U", IOobject::NO_READ), c.size());
     IOField<scalar> factors
     (
@@ -416,12 +426,14 @@ void Foam::clumpFields::writeTypes
     for (const clumpParcel& p : c)
     {
         typeIds[i] = p.typeId_;
+        pieces[i] = p.pieceOf_;
         U[i] = p.state_.velocity(types[p.typeId_]);
         factors[i] = p.couplingFactor_;
         overshoots[i] = p.overshoots_;
         ++i;
     }
     writeFile(typeIds, valid);
+    writeFile(pieces, valid);
     writeFile(U, valid);
     writeFile(factors, valid);
     writeFile(overshoots, valid);

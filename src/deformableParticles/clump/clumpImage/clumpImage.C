@@ -20,6 +20,7 @@ void Foam::clumpImage::set
     original = true;
     typeId = p.typeId();
     id = labelPair(p.origProc(), p.origId());
+    pieceOf = p.pieceOf();
     shift = Zero;
     presence = 1;
 
@@ -55,7 +56,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
 {
     return os
         << i.owner << token::SPACE << i.index << token::SPACE
-        << i.typeId << token::SPACE << i.id << token::SPACE << i.shift
+        << i.typeId << token::SPACE << i.id << token::SPACE
+        << i.pieceOf << token::SPACE << i.shift
         << token::SPACE << i.x << token::SPACE << i.u << token::SPACE
         << i.omega << token::SPACE << i.box << token::SPACE << i.presence
         << token::SPACE << i.slack;
@@ -64,7 +66,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpImage& i)
 {
-    is  >> i.owner >> i.index >> i.typeId >> i.id >> i.shift >> i.x >> i.u
+    is  >> i.owner >> i.index >> i.typeId >> i.id >> i.pieceOf >> i.shift >> i.x >> i.u
         >> i.omega >> i.box >> i.presence >> i.slack;
     i.original = false;
     i.contraction = 0;

@@ -35,6 +35,7 @@ Foam::clumpParcel::clumpParcel
 :
     particle(mesh, inside(mesh, position, celli), celli),
     typeId_(typeId),
+    pieceOf_(-1),
     state_(state),
     fluidForces_(state.x.size(), Zero),
     fluidTorques_(state.x.size(), Zero),
@@ -86,6 +87,38 @@ void Foam::clumpParcel::accept
 }
 
 
+void Foam::clumpParcel::becomePiece
+(
+    const label typeId,
+    const labelUList& spheres,
+    const labelUList& bonds
+)
+{
+    typeId_ = typeId;
+    if (pieceOf_ < 0)
+    {
+        pieceOf_ = origId();
+    }
+    state_ = state_.part(spheres, bonds);
+    fluidForces_ = vectorField(fluidForces_, spheres);
+    fluidTorques_ = vectorField(fluidTorques_, spheres);
+
+    // That of the whole clump tells nothing of the next step
+    acceleration_ = Zero;
+    accelerationBefore_ = Zero;
+
+    clumpStep step;
+    step.presence = step_.presence;
+    step.begin(state_);
+    step.end = state_;
+    if (step_.forces.f.size())
+    {
+        step.forces = externalForces(step_.forces, spheres);
+    }
+    step_ = step;
+}
+
+
 Foam::vector Foam::clumpParcel::expectedAcceleration() const
 {
     const scalar change =
@@ -113,6 +146,7 @@ Foam::clumpParcel::clumpParcel
 :
     particle(mesh, is, readFields, newFormat),
     typeId_(-1),
+    pieceOf_(-1),
     couplingFactor_(1),
     overshoots_(0),
     displacement_(Zero),
@@ -124,7 +158,7 @@ Foam::clumpParcel::clumpParcel
 {
     if (readFields)
     {
-        is  >> typeId_ >> displacement_ >> target_ >> offset_ >> sinceMet_
+        is  >> typeId_ >> pieceOf_ >> displacement_ >> target_ >> offset_ >> sinceMet_
             >> acceleration_ >> accelerationBefore_ >> state_
             >> fluidForces_ >> fluidTorques_ >> couplingFactor_ >> overshoots_;
     }
@@ -136,6 +170,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
 {
     os  << static_cast<const particle&>(p)
         << token::SPACE << p.typeId_
+        << token::SPACE << p.pieceOf_
         << token::SPACE << p.displacement_
         << token::SPACE << p.target_
         << token::SPACE << p.offset_

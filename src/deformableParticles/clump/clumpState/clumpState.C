@@ -26,6 +26,34 @@ Foam::clumpState::clumpState
 }
 
 
+Foam::clumpState Foam::clumpState::part
+(
+    const labelUList& spheres,
+    const labelUList& bonds
+) const
+{
+    clumpState result;
+    result.x = pointField(x, spheres);
+    result.u = vectorField(u, spheres);
+    result.w = vectorField(w, spheres);
+    result.a = vectorField(a, spheres);
+    result.b = vectorField(b, spheres);
+    for (const label i : spheres)
+    {
+        result.q.append(q[i]);
+    }
+    if (broken.size())
+    {
+        const scalarField ofPiece(broken, bonds);
+        if (ofPiece.size() && max(ofPiece) > 0)
+        {
+            result.broken = ofPiece;
+        }
+    }
+    return result;
+}
+
+
 Foam::point Foam::clumpState::centre(const clumpType& type) const
 {
     return sum(type.masses()*x)/type.mass();

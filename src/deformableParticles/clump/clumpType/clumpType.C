@@ -14,6 +14,27 @@ namespace
 
 using namespace Foam;
 
+//- Ascending numbers in words: 0-3+7
+word ranges(const labelUList& numbers)
+{
+    string result;
+    for (label from = 0; from < numbers.size(); )
+    {
+        label to = from;
+        while (to + 1 < numbers.size() && numbers[to + 1] == numbers[to] + 1)
+        {
+            ++to;
+        }
+        result += (from ? "+" : "") + Foam::name(numbers[from]);
+        if (to > from)
+        {
+            result += '-' + Foam::name(numbers[to]);
+        }
+        from = to + 1;
+    }
+    return word(result, false);
+}
+
 //- The entry inertia: the moments about the axes of the shape, or all six components
 symmTensor givenInertia(const dictionary& dict)
 {
@@ -71,7 +92,9 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     smoothVolume_(0),
     fixed_(false),
     viscosityRatio_(1),
-    halfWidth_(0)
+    halfWidth_(0),
+    whole_(-1),
+    part_(1)
 {
     const auto geometry(clumpShapes::shape::New(getDict(dict, "shape")));
     const scalar scale = getPositiveOrDefault(dict, "scale", 1);
@@ -120,6 +143,69 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     {
         setTransitions();
     }
+}
+
+
+Foam::clumpType::clumpType
+(
+    const clumpType& whole,
+    const label wholeType,
+    const labelUList& spheres
+)
+:
+    name_(whole.name_ + '.' + ranges(spheres)),
+    family_(whole.family_),
+    share_(0),
+    centres_(whole.centres_, spheres),
+    radii_(whole.radii_, spheres),
+    gyration_(whole.gyration_),
+    masses_(whole.masses_, spheres),
+    inertias_(whole.inertias_, spheres),
+    volumes_(whole.volumes_, spheres),
+    fixed_(whole.fixed_),
+    viscosityRatio_(1),
+    dragRadii_(whole.dragRadii_, spheres),
+    bodyRadii_(whole.bodyRadii_, spheres),
+    halfWidth_(min(radii_)),
+    whole_(wholeType),
+    spheres_(spheres)
+{
+    for (const label b : bondsOf(whole))
+    {
+        pairs_.append
+        (
+            labelPair(sphere(whole.pairs_[b].first()), sphere(whole.pairs_[b].second()))
+        );
+    }
+    volume_ = sum(volumes_);
+    part_ = volume_/max(whole.volume_, VSMALL);
+    nominalVolume_ =
+        whole.nominalVolume_ == whole.volume_
+      ? volume_ : whole.nominalRatio()*volume_;
+
+    centres_ -= sum(masses_*centres_)/sum(masses_);
+    reach_ = max(mag(centres_) + radii_);
+    vectorField grad(size());
+    smoothVolume_ = sphereUnion::smoothVolume(centres_, radii_, grad);
+    setTransitions();
+}
+
+
+Foam::labelList Foam::clumpType::bondsOf(const clumpType& whole) const
+{
+    DynamicList<label> result;
+    forAll(whole.pairs_, b)
+    {
+        if
+        (
+            sphere(whole.numberInWhole(whole.pairs_[b].first())) >= 0
+         && sphere(whole.numberInWhole(whole.pairs_[b].second())) >= 0
+        )
+        {
+            result.append(b);
+        }
+    }
+    return labelList(result);
 }
 
 

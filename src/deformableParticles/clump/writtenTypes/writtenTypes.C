@@ -52,6 +52,7 @@ Foam::writtenTypes::writtenTypes
     types_(types),
     file_(file(cloudName, time)),
     names_(file_.toc()),
+    pieces_(names_.size(), -1),
     mayChange_(properties.getOrDefault("typesMayChange", false))
 {
     if (names_.empty())
@@ -79,6 +80,16 @@ void Foam::writtenTypes::write
         setExact(d, "radii", flatOutput(type.radii()));
         setExact(d, "centres", flatOutput(type.centres()));
         setExact(d, "bonds", flatOutput(type.pairs()));
+        if (type.isPiece())
+        {
+            labelList spheres(type.size());
+            forAll(spheres, i)
+            {
+                spheres[i] = type.numberInWhole(i);
+            }
+            d.set("pieceOf", types[type.whole(-1)].name());
+            setExact(d, "spheres", flatOutput(spheres));
+        }
     }
     if (!result.regIOobject::write())
     {
@@ -88,8 +99,47 @@ void Foam::writtenTypes::write
 }
 
 
+void Foam::writtenTypes::addPieces
+(
+    const std::function<label(const label, const labelList&)>& add
+)
+{
+    forAll(names_, k)
+    {
+        const dictionary& d = getDict(file_, names_[k]);
+        if (!d.found("pieceOf"))
+        {
+            continue;
+        }
+        const label written = names_.find(d.get<word>("pieceOf"));
+        const labelList spheres(stored<label>(d, "spheres"));
+        const label whole = written < 0 ? -1 : find(written);
+        bool good = whole >= 0 && spheres.size();
+        forAll(spheres, i)
+        {
+            good =
+                good && spheres[i] > (i ? spheres[i - 1] : -1)
+             && spheres[i] < types_[whole].size();
+        }
+        if (!good)
+        {
+            FatalIOErrorInFunction(d)
+                << "Type " << names_[k] << " is that of pieces of clumps of the type "
+                << d.get<word>("pieceOf") << " with the spheres " << flatOutput(spheres)
+                << ". The entry 'types' of constant/clumpProperties has no such clumps"
+                << " any more." << exit(FatalIOError);
+        }
+        pieces_[k] = add(whole, spheres);
+    }
+}
+
+
 Foam::label Foam::writtenTypes::find(const label written) const
 {
+    if (pieces_[written] >= 0)
+    {
+        return pieces_[written];
+    }
     forAll(types_, i)
     {
         if (types_[i].name() == names_[written])
@@ -182,7 +232,10 @@ Foam::labelList Foam::writtenTypes::present(const labelUList& written) const
             );
             if (changed.size())
             {
-                FatalIOErrorInFunction(getDict(entry, type.name()))
+                FatalIOErrorInFunction
+                (
+                    getDict(entry, types_[type.whole(known[i])].name())
+                )
                     << "Entry '" << type.name() << "': the type has changed since"
                     << " time " << file_.instance() << " was written: "
                     << changed.c_str() << '.' << nl

@@ -17,6 +17,26 @@ Foam::clumpContacts::clumpContacts
 {}
 
 
+Foam::scalar Foam::clumpContacts::distance
+(
+    const clumpImage& A,
+    const label i,
+    const clumpImage& B,
+    const label j
+) const
+{
+    const clumpType& ta = types_[A.typeId];
+    const clumpType& tb = types_[B.typeId];
+    const scalar r = ta.radii()[i] + tb.radii()[j];
+    if (A.pieceOf < 0 || A.pieceOf != B.pieceOf || A.id == B.id)
+    {
+        return r;
+    }
+    const pointField& c = types_[ta.whole(A.typeId)].centres();
+    return min(r, mag(c[ta.numberInWhole(i)] - c[tb.numberInWhole(j)]));
+}
+
+
 bool Foam::clumpContacts::near
 (
     const UList<clumpImage>& images,

@@ -92,6 +92,8 @@ Foam::contactLaws::contactLaws
     const PtrList<clumpType>& types
 )
 :
+    types_(types),
+    withWalls_(false),
     lawOf_(types.size()*types.size(), Zero),
     nSecond_(types.size())
 {
@@ -132,6 +134,8 @@ Foam::contactLaws::contactLaws
     const polyBoundaryMesh& patches
 )
 :
+    types_(types),
+    withWalls_(true),
     lawOf_(types.size()*patches.size(), Zero),
     nSecond_(patches.size())
 {

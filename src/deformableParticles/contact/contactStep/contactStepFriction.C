@@ -79,7 +79,7 @@ void Foam::contactStep::setPressed(touch& t) const
     else
     {
         const scalar distance = t.radii - t.d;
-        t.arm = radius*distance/t.radii;
+        t.arm = radius*distance/(radius + otherRadius(t));
         t.otherArm = distance - t.arm;
     }
 }

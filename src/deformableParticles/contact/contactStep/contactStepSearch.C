@@ -277,7 +277,7 @@ void Foam::contactStep::addPair
     const scalarField& rB = types_[B.typeId].radii();
     const vector x(A.x[i] - B.x[j]);
     const vector dx(span_*(A.u[i] - B.u[j]));
-    const scalar r = rA + rB[j];
+    const scalar r = contacts_.distance(A, i, B, j);
     if (leastDistance(x, dx) >= r + range_ + A.slack + B.slack)
     {
         return;

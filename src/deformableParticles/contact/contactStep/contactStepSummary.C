@@ -51,7 +51,7 @@ Foam::contactSummary Foam::contactStep::summary() const
             const scalar half = isMember_[t.slot] ? 0.5 : 1;
             if (overlap > 0)
             {
-                result.deepest = max(result.deepest, overlap/min(r, t.radii - r));
+                result.deepest = max(result.deepest, overlap/min(r, otherRadius(t)));
                 result.number += half;
             }
 

@@ -52,10 +52,11 @@ Foam::functionObjects::clumpProfiles::header() const
        .explain("H", "volume of the clumps in the bin over that of the bin")
        .explain("U Uc", "mean velocity along the flow of fluid and clumps, and of the"
             " clumps in the bin; nan where there are none");
-    for (const clumpType& type : cloud().types())
+    for (label i = 0; i < cloud().nTypes(); ++i)
     {
+        const clumpType& type = cloud().types()[i];
         result.add("H_" + type.name());
-        result.explain("H_" + type.name(), "H of this type of clump");
+        result.explain("H_" + type.name(), "H of this type of clump and its pieces");
     }
     return result;
 }
@@ -146,7 +147,7 @@ void Foam::functionObjects::clumpProfiles::addMembrane
 
 bool Foam::functionObjects::clumpProfiles::write()
 {
-    const label nTypes = cloud().types().size();
+    const label nTypes = cloud().nTypes();
 
     // By bins: volume and flow of the mesh cells, flow of the clumps, then the
     // volume of each type
@@ -169,7 +170,7 @@ bool Foam::functionObjects::clumpProfiles::write()
     SubList<scalar> flows(part(2));
     for (const clumpParcel& p : cloud())
     {
-        SubList<scalar> volumes(part(3 + p.typeId()));
+        SubList<scalar> volumes(part(3 + cloud().wholeType(p)));
         addClump(p, volumes, flows);
     }
     sumUp(sums);

@@ -41,12 +41,13 @@ Foam::functionObjects::haematocrit::header() const
             " the mesh")
        .explain("Ub Uc", "mean velocity of fluid and clumps, and of the clumps, along the"
             " flow");
-    for (const clumpType& type : cloud().types())
+    for (label i = 0; i < cloud().nTypes(); ++i)
     {
+        const clumpType& type = cloud().types()[i];
         result.add("Ht_" + type.name()).add("Hd_" + type.name());
         result.explain
         (
-            "Ht_" + type.name() + " Hd_" + type.name(), "of this type of clump"
+            "Ht_" + type.name() + " Hd_" + type.name(), "of this type of clump and its pieces"
         );
     }
     return result;
@@ -61,14 +62,15 @@ bool Foam::functionObjects::haematocrit::write()
     // Volume, flow, its magnitude, volume of the unions; then volume and flow of
     // each type
     const label first = 4;
-    scalarList sums(first + 2*clumps.types().size(), Zero);
+    scalarList sums(first + 2*clumps.nTypes(), Zero);
     for (const clumpParcel& p : clumps)
     {
         const clumpType& type = clumps.type(p);
         const scalar V = type.nominalVolume();
         sums[3] += type.volume()*type.relativeVolume(p.state().x);
-        sums[first + 2*p.typeId()] += V;
-        sums[first + 2*p.typeId() + 1] += V*(p.state().velocity(type) & e);
+        const label k = first + 2*clumps.wholeType(p);
+        sums[k] += V;
+        sums[k + 1] += V*(p.state().velocity(type) & e);
     }
     const volVectorField* U = velocity();
     const scalarField& V = mesh_.V();

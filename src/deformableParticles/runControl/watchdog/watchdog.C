@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "watchdog.H"
-#include "clumpPieces.H"
 #include "checkedEntries.H"
 #include "clumpTotals.H"
 #include "flowDriving.H"
@@ -362,18 +361,9 @@ Foam::string Foam::watchdog::thrown()
         const scalar displacement =
             runTime_.deltaTValue()
            *max(mag(s.u - cloud_.meshVelocity())/type.bodyRadii());
-        scalar size = 0;
-        const clumpPieces pieces(type, s);
-        for (label n = 0; n < pieces.size(); ++n)
-        {
-            const scalar r = max(scalarField(type.radii(), pieces[n]));
-            size = max
-            (
-                size,
-                (extent(pointField(s.x, pieces[n])) + r)
-               /(extent(pointField(type.centres(), pieces[n])) + r)
-            );
-        }
+        const scalar r = max(type.radii());
+        const scalar size =
+            (extent(s.x) + r)/(extent(type.centres()) + r);
 
         if (!(displacement < maxDisplacement_))
         {

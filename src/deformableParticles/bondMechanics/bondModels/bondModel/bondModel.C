@@ -79,6 +79,28 @@ Foam::bondCoefficients Foam::bondModel::stiffness
 }
 
 
+Foam::Pair<Foam::scalar> Foam::bondModel::stresses
+(
+    const vector& n,
+    const vector& m,
+    const vector& t,
+    const vector& e,
+    const scalar radius
+)
+{
+    const scalar A = constant::mathematical::pi*sqr(radius);
+    const scalar I = A*sqr(radius)/4;
+    const scalar N = n & t;
+    const scalar torsion = m & e;
+
+    return Pair<scalar>
+    (
+        N/A + mag(m - torsion*e)*radius/I,
+        mag(n - N*t)/A + mag(torsion)*radius/(2*I)
+    );
+}
+
+
 bool Foam::bondModel::breaks
 (
     const vector& n,
@@ -88,14 +110,8 @@ bool Foam::bondModel::breaks
     const scalar radius
 ) const
 {
-    const scalar A = constant::mathematical::pi*sqr(radius);
-    const scalar I = A*sqr(radius)/4;
-    const scalar N = n & t;
-    const scalar torsion = m & e;
-
-    return
-        N/A + mag(m - torsion*e)*radius/I > normalStrength_
-     || mag(n - N*t)/A + mag(torsion)*radius/(2*I) > shearStrength_;
+    const Pair<scalar> s(stresses(n, m, t, e, radius));
+    return s.first() > normalStrength_ || s.second() > shearStrength_;
 }
 
 

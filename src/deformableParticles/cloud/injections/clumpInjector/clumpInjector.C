@@ -28,6 +28,13 @@ Foam::clumpInjector::clumpInjector
 {
     if (!clumpProperties.found("injection"))
     {
+        if (state_.size())
+        {
+            // Only the next number counts
+            state_.clear();
+            state_.set("nextNumber", nextNumber_);
+            state_.writeOpt() = IOobject::AUTO_WRITE;
+        }
         return;
     }
     const dictionary& all = getDict(clumpProperties, "injection");
@@ -42,16 +49,16 @@ Foam::clumpInjector::clumpInjector
 
 void Foam::clumpInjector::begin(const Cloud<clumpParcel>& clumps)
 {
-    if (empty())
-    {
-        return;
-    }
     label largest = -1;
     for (const clumpParcel& p : clumps)
     {
         largest = max(largest, p.origId());
     }
     nextNumber_ = max(nextNumber_, returnReduce(largest, maxOp<label>()) + 1);
+    if (empty())
+    {
+        return;
+    }
 
     for (injection& i : injections_)
     {
@@ -78,6 +85,16 @@ void Foam::clumpInjector::writeState()
         i.writeState(state);
         state_.set(i.name(), state);
     }
+}
+
+
+Foam::label Foam::clumpInjector::newNumbers(const label n)
+{
+    const label first = nextNumber_;
+    nextNumber_ += n;
+    state_.writeOpt() = IOobject::AUTO_WRITE;
+    writeState();
+    return first;
 }
 
 

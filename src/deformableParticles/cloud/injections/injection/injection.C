@@ -149,6 +149,11 @@ Foam::boundBox Foam::injection::around(const boundBox& box) const
     scalar reach = 0;
     for (const clumpType& type : site_.types)
     {
+        if (type.isPiece())
+        {
+            // Not injected
+            continue;
+        }
         reach = max(reach, type.reach());
     }
     return boundBox

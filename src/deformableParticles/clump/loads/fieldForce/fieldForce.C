@@ -87,6 +87,8 @@ Foam::tmp<Foam::volVectorField> Foam::loads::fieldForce::field
 void Foam::loads::fieldForce::add(const site& clump, externalForces& ext) const
 {
     const scalarField V(clump.type.nominalVolumes());
-    const scalar c = coefficient_->value(clump.time())/(perVolume_ ? 1 : sum(V));
+    const scalar c =
+        coefficient_->value(clump.time())
+       /(perVolume_ ? 1 : sum(V)/clump.type.part());
     ext.f += c*V*clump.field;
 }

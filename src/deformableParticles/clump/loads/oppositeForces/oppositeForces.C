@@ -65,10 +65,10 @@ void Foam::loads::oppositeForces::add
 
     for (const label i : plus_)
     {
-        ext.f[i] += F/plus_.size();
+        addForce(clump, i, F/plus_.size(), ext);
     }
     for (const label i : minus_)
     {
-        ext.f[i] -= F/minus_.size();
+        addForce(clump, i, -F/minus_.size(), ext);
     }
 }

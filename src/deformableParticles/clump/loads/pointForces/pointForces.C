@@ -60,7 +60,11 @@ void Foam::loads::pointForces::add
 
     forAll(spheres_, k)
     {
-        ext.f[spheres_[k]] += f*forces_[k];
-        ext.t[spheres_[k]] += f*torques_[k];
+        const label i = clump.type.sphere(spheres_[k]);
+        if (i >= 0)
+        {
+            ext.f[i] += f*forces_[k];
+            ext.t[i] += f*torques_[k];
+        }
     }
 }

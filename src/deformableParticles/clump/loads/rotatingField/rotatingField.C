@@ -47,7 +47,10 @@ void Foam::loads::rotatingField::add(const site& clump, externalForces& ext) con
         constant::mathematical::twoPi*frequency_*clump.time();
     const vector B(quaternion(axis_, angle).transform(field_));
 
-    const scalarField shares(clump.type.volumes()/sum(clump.type.volumes()));
+    const scalarField shares
+    (
+        clump.type.part()*clump.type.volumes()/sum(clump.type.volumes())
+    );
     forAll(shares, i)
     {
         const vector m(clump.state.q[i].transform(moment_));

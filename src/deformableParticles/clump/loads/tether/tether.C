@@ -40,6 +40,10 @@ void Foam::loads::tether::add
     externalForces& ext
 ) const
 {
-    ext.f[sphere_] -= stiffness_*(clump.x[sphere_] - anchor_);
-    ext.k[sphere_] += stiffness_*symmTensor::I;
+    const label i = clump.type.sphere(sphere_);
+    if (i >= 0)
+    {
+        ext.f[i] -= stiffness_*(clump.x[i] - anchor_);
+        ext.k[i] += stiffness_*symmTensor::I;
+    }
 }

@@ -47,6 +47,7 @@ Description
 #include "meshCheck.H"
 #include "meshRefinement.H"
 #include "obliqueFlux.H"
+#include "rateViscosity.H"
 #include "resistanceMeasurement.H"
 #include "rotationalCorrection.H"
 #include "runMonitor.H"

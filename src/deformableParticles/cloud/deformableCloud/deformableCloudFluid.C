@@ -73,6 +73,27 @@ void Foam::deformableCloud::immerse
 }
 
 
+void Foam::deformableCloud::setForcing(const volScalarField& nu)
+{
+    const timeBreakdown::timer t(timing_, "solid fraction");
+    coupling_->boundary().setForcing(nu);
+}
+
+
+void Foam::deformableCloud::setViscosities(const volScalarField& nu)
+{
+    coupling_->boundary().setViscosities(nu, ghosts_.images());
+    ghosts_.returnViscosities();
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        const vector2D& sums = ghosts_.images()[index++].viscosity;
+        p.step().lastNu = p.step().nu;
+        p.step().nu = sums.y() > 0 ? sums.x()/sums.y() : 0;
+    }
+}
+
+
 void Foam::deformableCloud::turnVelocities(const bool extrapolate)
 {
     label index = 0;

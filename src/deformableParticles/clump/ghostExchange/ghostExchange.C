@@ -520,6 +520,12 @@ void Foam::ghostExchange::returnTensions()
 }
 
 
+void Foam::ghostExchange::returnViscosities()
+{
+    returnSums(&clumpImage::viscosity);
+}
+
+
 void Foam::ghostExchange::returnMoments()
 {
     returnSums(&clumpImage::moments);

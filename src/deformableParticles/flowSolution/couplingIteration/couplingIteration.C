@@ -20,11 +20,16 @@ scalarField pressureScale(const volScalarField& nu)
     return Foam::sqrt(nu.mesh().V().field()/nu.primitiveField());
 }
 
-//- Of all clumps, whichever processor has them
-scalar velocityScale(const volScalarField& nu)
+//- Of the spheres of a clump, with the largest viscosity or that around it [m2/s]
+scalarField velocityScale
+(
+    const scalarField& radii,
+    const scalar largest,
+    const scalar around
+)
 {
     using constant::mathematical::pi;
-    return Foam::sqrt(6*pi*gMax(nu.primitiveField()));
+    return Foam::sqrt(6*pi*(around > 0 ? around : largest))*Foam::sqrt(radii);
 }
 
 }
@@ -99,7 +104,7 @@ Foam::scalarField Foam::couplingIteration::unknowns
     const scalar level =
         flow_.p().needReference() ? gSumProd(p, V)/gSum(V) : 0;
 
-    const scalar ofVelocity = velocityScale(flow_.nu());
+    const scalar largest = gMax(flow_.nu().primitiveField());
     DynamicList<scalar> x(pressureScale(flow_.nu())*(p - level));
     for (const clumpParcel& parcel : cloud_)
     {
@@ -107,7 +112,7 @@ Foam::scalarField Foam::couplingIteration::unknowns
         const vectorField& u = imposed ? step.imposedU : step.end.u;
         const vectorField& w = imposed ? step.imposedW : step.end.w;
         const scalarField& r = cloud_.type(parcel).dragRadii();
-        const scalarField scale(ofVelocity*Foam::sqrt(r));
+        const scalarField scale(velocityScale(r, largest, step.nu));
         forAll(u, i)
         {
             for (direction d = 0; d < vector::nComponents; ++d)
@@ -129,13 +134,13 @@ void Foam::couplingIteration::add(const scalarField& change)
         SubField<scalar>(change, nCells)/pressureScale(flow_.nu());
     p.correctBoundaryConditions();
 
-    const scalar ofVelocity = velocityScale(flow_.nu());
+    const scalar largest = gMax(flow_.nu().primitiveField());
     label k = nCells;
     for (clumpParcel& parcel : cloud_)
     {
         clumpState& end = parcel.step().end;
         const scalarField& r = cloud_.type(parcel).dragRadii();
-        const scalarField scale(ofVelocity*Foam::sqrt(r));
+        const scalarField scale(velocityScale(r, largest, parcel.step().nu));
         forAll(r, i)
         {
             for (direction d = 0; d < vector::nComponents; ++d)
@@ -145,6 +150,21 @@ void Foam::couplingIteration::add(const scalarField& change)
             }
         }
     }
+}
+
+
+bool Foam::couplingIteration::viscosityChanged() const
+{
+    scalar change = 0;
+    for (const clumpParcel& parcel : cloud_)
+    {
+        const clumpStep& step = parcel.step();
+        if (step.nu > 0)
+        {
+            change = max(change, mag(step.nu/step.lastNu - 1));
+        }
+    }
+    return returnReduce(change, maxOp<scalar>()) > 0.1;
 }
 
 
@@ -183,6 +203,10 @@ bool Foam::couplingIteration::converged()
     if ((residual < allowed && enough) || !residual_.solved())
     {
         return true;
+    }
+    if (!flow_.Newtonian() && viscosityChanged())
+    {
+        acceleration_->clear();
     }
     const scalarField x(unknowns(p0_, true));
     const scalarField r(unknowns(flow_.p(), false) - x);

@@ -64,6 +64,22 @@ Foam::couplingResidual::flowPower Foam::couplingResidual::ofFlow
 }
 
 
+Foam::scalar Foam::couplingResidual::slip(const clumpParcel& p) const
+{
+    const clumpType& type = cloud_.type(p);
+    const scalarField& r = type.dragRadii();
+    const scalar rho = cloud_.fluidDensity();
+    const scalar dt = flow_.p().time().deltaTValue();
+    const scalar layer = Foam::sqrt(drag_*dt/(6*constant::mathematical::pi));
+    return
+        mag(sum(p.fluidForces()))
+       /(
+            drag_*rho*sum(r*(1 + r/layer))
+          + (type.mass() + rho*type.volume())/dt
+        );
+}
+
+
 Foam::scalar Foam::couplingResidual::power
 (
     const clumpParcel& p,
@@ -76,20 +92,9 @@ Foam::scalar Foam::couplingResidual::power
     const scalarField& r = type.dragRadii();
     const vector mean(meanOf(r, u));
 
-    // What the forces of the fluid change within a step, or move against the fluid
-    const scalar rho = cloud_.fluidDensity();
-    const scalar dt = flow_.p().time().deltaTValue();
-    const scalar layer = Foam::sqrt(drag_*dt/(6*constant::mathematical::pi));
-    const scalar slip =
-        mag(sum(p.fluidForces()))
-       /(
-            drag_*rho*sum(r*(1 + r/layer))
-          + (type.mass() + rho*type.volume())/dt
-        );
-
     return
         drag_*sum(r*(magSqr(u - mean) + sqr(r)*magSqr(w)))
-      + drag_*sum(r)*(magSqr(mean - start) + sqr(slip));
+      + drag_*sum(r)*(magSqr(mean - start) + sqr(slip(p)));
 }
 
 
@@ -122,7 +127,7 @@ Foam::scalar Foam::couplingResidual::imbalance
 Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 {
     using constant::mathematical::pi;
-    drag_ = 6*pi*gMax(flow_.nu().primitiveField());
+    const scalar largest = gMax(flow_.nu().primitiveField());
 
     // Motions that need not be resolved
     const scalar least = 1e-8/flow_.p().time().deltaTValue();
@@ -137,9 +142,13 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         const vector& start = start_[index++];
         const scalarField& r = cloud_.type(p).dragRadii();
         const clumpStep& step = p.step();
+        drag_ = 6*pi*(step.nu > 0 ? step.nu : largest);
         const vectorField du(step.end.u - step.imposedU);
         const vectorField dw(step.end.w - step.imposedW);
-        const scalar changed = drag_*sum(r*(magSqr(du) + sqr(r)*magSqr(dw)));
+        const scalar thinned =
+            step.nu > 0 ? slip(p)*(step.nu/step.lastNu - 1) : 0;
+        const scalar changed =
+            drag_*sum(r*(magSqr(du) + sqr(thinned) + sqr(r)*magSqr(dw)));
         const scalar imposed =
             power(p, start, step.imposedU, step.imposedW);
         const scalar ended = power(p, start, step.end.u, step.end.w);

@@ -182,6 +182,20 @@ void Foam::incompressibleFlow::readModels()
 {
     transport_.reset(new singlePhaseTransportModel(*U_, *phi_));
 
+    if (!Newtonian())
+    {
+        // A run goes on with the viscosity of its last momentum equation
+        IOobject kept
+        (
+            "nu", U_->time().timeName(), U_->mesh(), IOobject::MUST_READ,
+            IOobject::NO_WRITE, false
+        );
+        if (kept.typeHeaderOk<volScalarField>(true))
+        {
+            U_->mesh().lookupObjectRef<volScalarField>("nu") ==
+                volScalarField(kept, U_->mesh());
+        }
+    }
     const scalar least = gMin(nu().primitiveField());
     if (!(least > 0))
     {
@@ -356,9 +370,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
     {
         return variable_->stress(viscosity());
     }
-    const bool uniform =
-        turbulence_->type() == "Stokes"
-     && transport_->get<word>("transportModel") == "Newtonian";
+    const bool uniform = turbulence_->type() == "Stokes" && Newtonian();
 
     return
         uniform
@@ -438,7 +450,7 @@ void Foam::incompressibleFlow::meshChanged()
 {
     *phi_ = fvc::flux(*U_);
     phi_->oldTime() = fvc::flux(U_->oldTime());
-    if (transport_->get<word>("transportModel") == "Newtonian")
+    if (Newtonian())
     {
         // The mean of eight equal values differs from them by round-off
         U_->mesh().lookupObjectRef<volScalarField>("nu") ==

@@ -116,7 +116,7 @@ void Foam::coveredCells::addCell
     (
         {
             celli, surface.centreInside, surface.wallConductance,
-            c.x, c.volume, fraction, 0, 0, 0, Zero
+            d, c.x, c.volume, fraction, 0, 0, 0, Zero
         }
     );
 }

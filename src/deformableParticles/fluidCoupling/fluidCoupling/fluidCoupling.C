@@ -184,6 +184,14 @@ void Foam::fluidCoupling::setViscosity(const volScalarField& nu)
 }
 
 
+Foam::scalar Foam::fluidCoupling::viscosity(const clumpParcel& p) const
+{
+    // The present forces are those of the last viscosity
+    const scalar nu = max(p.step().nu, p.step().lastNu);
+    return nu > 0 ? rho_*nu : mu_;
+}
+
+
 void Foam::fluidCoupling::integrate
 (
     const volVectorField& U,
@@ -327,7 +335,7 @@ void Foam::fluidCoupling::addForces
 
     ext.t += p.fluidTorques();
     ext.imposedW = step.imposedW;
-    scheme_->coefficients(type, mu_, rho_, dt, ext.zeta, ext.zetaR);
+    scheme_->coefficients(type, viscosity(p), rho_, dt, ext.zeta, ext.zetaR);
     raise(ext.zeta, rho_/dt*type.volumes(), p.couplingFactor());
     raise(ext.zetaR, rho_/dt*type.volumeInertias(), p.couplingFactor());
 
@@ -471,7 +479,7 @@ Foam::scalar Foam::fluidCoupling::neededRaise
 
     const scalarField z
     (
-        p.couplingFactor()*viscous(*scheme_, type, mu_, rho_, dt)
+        p.couplingFactor()*viscous(*scheme_, type, viscosity(p), rho_, dt)
     );
     const scalar own = sum(type.masses()*dd)/dt;
     const scalar inside = rho_*sum(type.volumes()*dd)/dt;

@@ -238,6 +238,22 @@ void Foam::immersedBoundary::setFriction(const volScalarField& nu)
 }
 
 
+void Foam::immersedBoundary::setForcing(const volScalarField& nu)
+{
+    for (const coveredCells& c : covered_)
+    {
+        for (const coveredCell& cell : c.cells())
+        {
+            strength_[cell.celli] = 0;
+            sumShare_[cell.celli] = 0;
+        }
+    }
+    setStrengths(nu);
+    fade(nu);
+    setFriction(nu);
+}
+
+
 void Foam::immersedBoundary::update
 (
     UList<clumpImage>& images,
@@ -274,9 +290,7 @@ void Foam::immersedBoundary::update
         );
         addFractions(covered_[a]);
     }
-    setStrengths(nu);
-    fade(nu);
-    setFriction(nu);
+    setForcing(nu);
     setSolidVolumes(images);
     if (dilates_)
     {

@@ -84,6 +84,35 @@ void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
 }
 
 
+void Foam::immersedBoundary::setViscosities
+(
+    const volScalarField& nu,
+    UList<clumpImage>& images
+) const
+{
+    for (clumpImage& image : images)
+    {
+        image.viscosity = Zero;
+    }
+    visit
+    (
+        images,
+        [&nu]
+        (
+            clumpImage& image, const coveredCells&,
+            const coveredCell& c, const UList<sphereWeight>&,
+            const scalar
+        )
+        {
+            if (c.distance > 0 && !c.centreInside)
+            {
+                image.viscosity += c.volume*vector2D(nu[c.celli], 1);
+            }
+        }
+    );
+}
+
+
 void Foam::immersedBoundary::setTensions(UList<clumpImage>& images) const
 {
     visit

@@ -58,6 +58,10 @@ void Foam::repeatedStep::begin()
     if (flow_.solved())
     {
         p_.reset(new volScalarField("pBeforeStep", flow_.p()));
+        if (!flow_.Newtonian())
+        {
+            nu_.reset(new volScalarField("nuBeforeStep", flow_.nu()));
+        }
     }
 }
 
@@ -70,6 +74,10 @@ void Foam::repeatedStep::goBack()
         flow_.p() == *p_;
         flow_.U() == flow_.U().oldTime();
         flow_.phi() == flow_.phi().oldTime();
+        if (nu_.valid())
+        {
+            flow_.p().mesh().lookupObjectRef<volScalarField>("nu") == *nu_;
+        }
     }
     runTime_.returnTo(*start_);
 }

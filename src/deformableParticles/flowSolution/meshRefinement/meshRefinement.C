@@ -5,6 +5,7 @@
 
 #include "meshRefinement.H"
 #include "clumpRefineFvMesh.H"
+#include "coupledPatches.H"
 #include "deformableCloud.H"
 #include "foamCompat.H"
 #include "incompressibleFlow.H"
@@ -26,23 +27,7 @@ void updateCoupled(const fvMesh& mesh)
     // In the same order on all processors
     for (const word& name : fields.sortedToc())
     {
-        auto& patches = fields[name]->boundaryFieldRef(false);
-        const label startOfRequests = Pstream::nRequests();
-        for (auto& patch : patches)
-        {
-            if (patch.coupled())
-            {
-                patch.initEvaluate(Pstream::commsTypes::nonBlocking);
-            }
-        }
-        Pstream::waitRequests(startOfRequests);
-        for (auto& patch : patches)
-        {
-            if (patch.coupled())
-            {
-                patch.evaluate(Pstream::commsTypes::nonBlocking);
-            }
-        }
+        evaluateCoupled(fields[name]->boundaryFieldRef(false));
     }
 }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rateViscosity.H"
+#include "coupledPatches.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
 #include "fvmLaplacian.H"
@@ -21,29 +22,6 @@ constexpr scalar closest = 0.02;
 
 //- Of the slope at the wall over the rate of strain in the centre
 constexpr scalar largestRatio = 10;
-
-//- Evaluate processor and periodic patches, and no others
-void correctCoupled(volVectorField& U)
-{
-    auto& patches = U.boundaryFieldRef();
-    const label nRequests = Pstream::nRequests();
-    for (auto& patch : patches)
-    {
-        if (patch.coupled())
-        {
-            patch.initEvaluate(Pstream::commsTypes::nonBlocking);
-        }
-    }
-    Pstream::waitRequests(nRequests);
-    for (auto& patch : patches)
-    {
-        if (patch.coupled())
-        {
-            patch.evaluate(Pstream::commsTypes::nonBlocking);
-        }
-    }
-}
-
 
 //- action(neighbour, -1) for every neighbour of a mesh cell; (-1, boundary face) where it is
 //  on the other side of a processor or periodic patch
@@ -150,7 +128,7 @@ void Foam::rateViscosity::extend(volVectorField& U) const
             U[celli] = us[celli] + distance_[celli]/weight*sum;
         }
     }
-    correctCoupled(U);
+    evaluateCoupled(U.boundaryFieldRef());
 }
 
 
@@ -209,7 +187,7 @@ void Foam::rateViscosity::withExtended(const Action& action)
     extend(U);
     action();
     UIndirectList<vector>(U.primitiveFieldRef(), solid_) = inside;
-    correctCoupled(U);
+    evaluateCoupled(U.boundaryFieldRef());
 }
 
 

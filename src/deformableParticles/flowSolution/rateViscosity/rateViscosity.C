@@ -281,6 +281,16 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::rateViscosity::stress()
 }
 
 
+void Foam::rateViscosity::begin()
+{
+    if (acts_)
+    {
+        cloud_.setViscosities(flow_.nu());
+    }
+    correct(true);
+}
+
+
 void Foam::rateViscosity::force()
 {
     if (acts_)
@@ -308,7 +318,6 @@ void Foam::rateViscosity::correct(const bool withClumps)
     }
     volVectorField& U = flow_.U();
     auto& nu = U.mesh().lookupObjectRef<volScalarField>("nu");
-    cloud_.setViscosities(nu);
     withClumps_ = withClumps;
     if (withClumps)
     {

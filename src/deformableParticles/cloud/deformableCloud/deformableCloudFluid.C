@@ -62,6 +62,7 @@ void Foam::deformableCloud::immerse
     {
         const tensionForces& tension = ghosts_.images()[index++].tension;
         p.step().solidVolumes = tension.solidVolumes;
+        p.step().solidMoments = tension.solidMoments;
         p.step().solidInertias = tension.solidInertias;
     }
     if (moving)

@@ -300,7 +300,23 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
     const scalar dt
 ) const
 {
-    return inertia(p, p.step().solidVolumes, dt);
+    const clumpStep& step = p.step();
+    const clumpState& s = p.state();
+    vectorField result(inertia(p, step.solidVolumes, dt));
+    if
+    (
+        twoWay() && boundary_->addsInteriorInertia()
+     && !types_[p.typeId()].hasSurface()
+    )
+    {
+        result +=
+            step.presence*rho_/dt
+           *(
+                (step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b)
+              ^ step.solidMoments
+            );
+    }
+    return result;
 }
 
 
@@ -342,9 +358,19 @@ void Foam::fluidCoupling::addForces
     if (boundary_->addsInteriorInertia())
     {
         ext.f += interiorForces(p, dt);
-        ext.t +=
-            step.presence*rho_/dt*step.solidInertias
-           *(step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b);
+        const scalar dt0 = mesh_.time().deltaT0Value();
+        rotation_->transpose
+        (
+            type,
+            s,
+            step.presence*rho_/dt
+           *(
+                (step.solidMoments ^ (step.imposedU - s.u + dt0*s.a))
+              + (step.solidInertias & (step.imposedW - s.w + dt0*s.b))
+            ),
+            ext.f,
+            ext.t
+        );
     }
 }
 

@@ -74,9 +74,10 @@ void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
                 for (const sphereWeight& s : weights)
                 {
                     const scalar V = c.volume*share*s.w;
+                    const vector r(c.x - image.x[s.i]);
                     image.tension.solidVolumes[s.i] += V;
-                    image.tension.solidInertias[s.i] +=
-                        2.0/3*V*magSqr(c.x - image.x[s.i]);
+                    image.tension.solidMoments[s.i] += V*r;
+                    image.tension.solidInertias[s.i] += V*(magSqr(r)*symmTensor::I - sqr(r));
                 }
             }
         }

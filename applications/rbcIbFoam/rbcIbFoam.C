@@ -28,11 +28,6 @@ Description
     \verbatim
         -estimate       runs a few steps and prints what the case will cost
         -quiet          prints warnings and lines of progress instead of each step
-        -resistance <n> measures the hydrodynamic resistance of the clump with the
-                        number n and nothing else, see resistanceMeasurement
-        -steps <n>      with -resistance: steps from rest, default 20
-        -deltaT <dt>    with -resistance: time step [s], default that of the case
-        -rotation       with -resistance: also of the angular velocities
     \endverbatim
 \*---------------------------------------------------------------------------*/
 
@@ -48,7 +43,6 @@ Description
 #include "meshRefinement.H"
 #include "obliqueFlux.H"
 #include "rateViscosity.H"
-#include "resistanceMeasurement.H"
 #include "rotationalCorrection.H"
 #include "runMonitor.H"
 #include "slidingMesh.H"
@@ -59,7 +53,6 @@ int main(int argc, char* argv[])
 {
     argList::addNote("Incompressible flow with resolved deformable particles");
     runMonitor::addOptions();
-    resistanceMeasurement::addOptions();
 
     #define NO_CONTROL
     #include "postProcess.H"
@@ -77,8 +70,6 @@ int main(int argc, char* argv[])
 
     while (monitor.run())
     {
-        resistance.beginStep();
-
         #include "setTimeStep.H"
 
         do
@@ -90,42 +81,31 @@ int main(int argc, char* argv[])
                 #include "solveFlow.H"
             }
 
-            // --- Clumps, which do not move where their resistance is measured
-            if (!resistance.wanted())
-            {
-                if (flow.solved())
-                {
-                    fvOptions.correct(U);
-                }
-                if (cloud.hasFluid())
-                {
-                    cloud.evolve(U, p, nu);
-                }
-                else
-                {
-                    cloud.evolve();
-                }
-            }
-        }
-        while (!resistance.wanted() && monitor.repeats(coupling));
-
-        if (resistance.wanted())
-        {
-            // The flow starts from rest for each column
-            resistance.endStep();
-        }
-        else
-        {
-            cloud.accept();
-            momentum.correct();
-            monitor.check();
+            // --- Clumps
             if (flow.solved())
             {
-                coupling.endStep();
-                monitor.check(U, p, phi);
+                fvOptions.correct(U);
             }
-            cloud.moveParcels();
+            if (cloud.hasFluid())
+            {
+                cloud.evolve(U, p, nu);
+            }
+            else
+            {
+                cloud.evolve();
+            }
         }
+        while (monitor.repeats(coupling));
+
+        cloud.accept();
+        momentum.correct();
+        monitor.check();
+        if (flow.solved())
+        {
+            coupling.endStep();
+            monitor.check(U, p, phi);
+        }
+        cloud.moveParcels();
 
         monitor.write();
         monitor.endStep();

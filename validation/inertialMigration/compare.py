@@ -90,7 +90,7 @@ for r in select(held="yes"):
           f" over the drift {ratio:.3f} x 6 pi mu a; between {min(lifts)/lift:.2f} and"
           f" {max(lifts)/lift:.2f} of this mean")
     results.add("lift over drift", ratio, "6 pi mu a", r["resistance_N_s_m"]/stokes, "10%",
-                "rbcIbFoam -resistance, of creeping flow in the same mesh")
+                "clumpResistance, of creeping flow in the same mesh")
     results.add("force of the hold over lift", history[-1]["applied_N"]/history[-1]["lift_N"], "",
                 -1, "1e-3", "momentum of the sphere across")
     moved = max(p["y_m"] for p in history) - min(p["y_m"] for p in history)

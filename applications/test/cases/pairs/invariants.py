@@ -257,7 +257,7 @@ def resistance(folder, bodies, Case):
         row = {factor: next(iter(levels)) for factor, levels in FEATURES.items()}
         scene = Scene(dict(row, bodies=body, outer="3", step="adjustable"))
         case = Case(os.path.join(folder, body), 1).write(scene)
-        case.run("rbcIbFoam", "-resistance", "0", "-steps", "5")
+        case.run("clumpResistance", "0", "-steps", "5")
         R = np.loadtxt(case.path("resistance.csv"), delimiter=",")/DRAG
         judge = Judge(scene)
         judge.check("asymmetry", np.abs(R - R.T).max()/np.abs(R).max(), 1e-3)

@@ -5,8 +5,8 @@
 
 #include "clumpBreakage.H"
 #include "bondForces.H"
-#include "clumpInjector.H"
 #include "clumpPieces.H"
+#include "clumpSource.H"
 #include "clumpSuspension.H"
 #include "foamCompat.H"
 
@@ -203,7 +203,7 @@ void Foam::clumpBreakage::divide
 void Foam::clumpBreakage::divide
 (
     clumpSuspension& clumps,
-    clumpInjector& numbers,
+    clumpSource& numbers,
     clumpCount& count,
     const bool all
 )

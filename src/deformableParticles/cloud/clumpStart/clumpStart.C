@@ -5,13 +5,19 @@
 
 #include "clumpStart.H"
 #include "clumpFields.H"
+#include "clumpSource.H"
 #include "clumpSuspension.H"
+#include "clumpTotals.H"
 #include "foamCompat.H"
 #include "IOdictionary.H"
-#include "placement.H"
 #include "surfaceCrossing.H"
 
-bool Foam::clumpStart::begin(clumpSuspension& cloud, clumpCount& count)
+bool Foam::clumpStart::begin
+(
+    clumpSuspension& cloud,
+    const clumpSource& source,
+    clumpCount& count
+)
 {
     const bool restarts = returnReduce(cloud.size(), sumOp<label>()) > 0;
     if (restarts)
@@ -28,7 +34,7 @@ bool Foam::clumpStart::begin(clumpSuspension& cloud, clumpCount& count)
     }
     else
     {
-        place(cloud, count);
+        place(cloud, source, count);
     }
     count.start(cloud.size());
     reportFractions(cloud);
@@ -77,7 +83,12 @@ void Foam::clumpStart::restart(clumpSuspension& cloud)
 }
 
 
-void Foam::clumpStart::place(clumpSuspension& cloud, const clumpCount& count)
+void Foam::clumpStart::place
+(
+    clumpSuspension& cloud,
+    const clumpSource& source,
+    const clumpCount& count
+)
 {
     starts_ = true;
     clumpFields::refuseRemains(cloud);
@@ -88,12 +99,7 @@ void Foam::clumpStart::place(clumpSuspension& cloud, const clumpCount& count)
         return;
     }
 
-    const dictionary& dict = getDict(properties, "placement");
-    selectModel<placement>(dict, cloud.types(), cloud.typeIds())->place
-    (
-        cloud.mesh(), cloud, followFlow_
-    );
-
+    source.place(cloud, followFlow_);
     Info<< "Placed " << returnReduce(cloud.size(), sumOp<label>()) << " clumps" << endl;
 }
 
@@ -145,14 +151,14 @@ void Foam::clumpStart::reportFractions(const clumpSuspension& cloud)
     }
 
     const scalar volume = gSum(mesh.V());
-    const Pair<scalar> fractions(placement::fractions(types, numbers, volume));
+    const Pair<scalar> fractions(volumeFractions(types, numbers, volume));
     bool someFixed = false;
     forAll(types, i)
     {
         someFixed = someFixed || types[i].fixed();
         labelList own(types.size(), 0);
         own[i] = numbers[i];
-        const scalar share = placement::fractions(types, own, volume).first();
+        const scalar share = volumeFractions(types, own, volume).first();
         Info<< "    " << types[i].name() << ": " << numbers[i]
             << " clumps, haematocrit " << Foam::name(share).c_str() << nl;
     }

@@ -5,11 +5,11 @@
 
 #include "clumpSuspension.H"
 #include "clumpFields.H"
-#include "clumpInjector.H"
+#include "clumpSource.H"
 
-const Foam::clumpInjector& Foam::clumpSuspension::injector() const
+bool Foam::clumpSuspension::injects() const
 {
-    return *injector_;
+    return source_->injects();
 }
 
 
@@ -93,7 +93,7 @@ bool Foam::clumpSuspension::transfer()
     {
         coupling_->report(*this, nClumps());
     }
-    breakage_.divide(*this, *injector_, count_);
+    breakage_.divide(*this, *source_, count_);
     removeLeaving();
     const scalar dt = mesh_.time().deltaTValue();
     for (clumpParcel& p : *this)
@@ -110,7 +110,7 @@ bool Foam::clumpSuspension::transfer()
         }
     };
     Cloud<clumpParcel>::move(*this, td, dt);
-    const bool others = injector_->inject(*this, count_) > 0;
+    const bool others = source_->inject(*this, count_) > 0;
     count_.endStep(size());
     return others;
 }

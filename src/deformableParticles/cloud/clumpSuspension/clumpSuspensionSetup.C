@@ -5,8 +5,8 @@
 
 #include "clumpSuspension.H"
 #include "anyNumber.H"
-#include "clumpInjector.H"
 #include "clumpProperties.H"
+#include "clumpSource.H"
 #include "sceneScales.H"
 
 Foam::clumpSuspension::clumpSuspension
@@ -178,20 +178,17 @@ void Foam::clumpSuspension::resetCoupling()
 bool Foam::clumpSuspension::readOrPlace()
 {
     reportScales(*this);
-    const bool restarts = start_.begin(*this, count_);
-    injector_.reset
+    source_ = clumpSource::New
     (
-        new clumpInjector
-        (
-            name(), dict_,
-            injection::site{mesh_, ghosts_, types_, typeIds_, hasFluid()}
-        )
+        name(), dict_,
+        clumpSource::site{mesh_, ghosts_, types_, typeIds_, hasFluid()}
     );
-    injector_->begin(*this);
+    const bool restarts = start_.begin(*this, *source_, count_);
+    source_->begin(*this);
     if (restarts)
     {
         // Versions that kept the pieces together have written them so
-        breakage_.divide(*this, *injector_, count_, true);
+        breakage_.divide(*this, *source_, count_, true);
         count_.start(size());
     }
     openPatches_.report();

@@ -91,6 +91,26 @@ Foam::scalar Foam::largestDiameter(const clumpSuspension& clumps)
 }
 
 
+Foam::Pair<Foam::scalar> Foam::volumeFractions
+(
+    const PtrList<clumpType>& types,
+    const labelUList& numbers,
+    const scalar volume
+)
+{
+    Pair<scalar> result(0, 0);
+    forAll(types, i)
+    {
+        if (!types[i].fixed())
+        {
+            result.first() += numbers[i]*types[i].nominalVolume()/volume;
+            result.second() += numbers[i]*types[i].volume()/volume;
+        }
+    }
+    return result;
+}
+
+
 Foam::scalar Foam::maxSpeedOverRadius(const clumpSuspension& clumps)
 {
     scalar result = 0;

@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
-#include "clumpInjector.H"
 #include "clumpProperties.H"
+#include "clumpSource.H"
 #include "FlatOutput.H"
 #include "functionObject.H"
 
@@ -141,6 +141,6 @@ void Foam::deformableCloud::meshChanged()
     {
         coupling_->surfaces()->meshChanged();
     }
-    injector_->meshChanged();
+    source_->meshChanged();
     openPatches_.clear();
 }

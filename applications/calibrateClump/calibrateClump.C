@@ -159,7 +159,7 @@ void writeLoads
                 for (const label i : e.dict().get<labelList>(key))
                 {
                     Info<< "// " << key << ": "
-                        << (type.hasSurface() ? "node " : "sphere ") << i << " of "
+                        << (type.hasTriangles() ? "node " : "sphere ") << i << " of "
                         << type.size() << ", at " << type.centres()[i]
                         << " m at rest" << nl;
                 }
@@ -397,7 +397,7 @@ int main(int argc, char* argv[])
     Info<< nl << data.points().size() << " points of " << data.file() << nl << nl;
     printParameters(parameters, y, sigma);
     printPoints(*test, data, solution, z);
-    if (!clumpType("fit", solution.type(y)).hasSurface())
+    if (!clumpType("fit", solution.type(y)).hasTriangles())
     {
         Info<< "unstable states " << unstable << " of "
             << nStates*solution.nVariants() << " in curve.csv" << nl;

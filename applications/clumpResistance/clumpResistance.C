@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
 
     deformableCloud cloud(mesh);
     incompressibleFlow flow(mesh, cloud.hasFluid(), !cloud.effects().frozen(), false);
-    flow.setMembranes(cloud.surfaces());
+    flow.setFluids(cloud.fluids());
     #include "createFieldRefs.H"
 
     runMonitor monitor(runTime, cloud, flow, args);

@@ -42,7 +42,7 @@ struct resolution
 resolution needed(const clumpType& type)
 {
     return
-        type.hasSurface()
+        type.hasTriangles()
       ? resolution
         {
             "Its membrane", "give the deformation of a capsule", 2*type.reach(), 6, 10

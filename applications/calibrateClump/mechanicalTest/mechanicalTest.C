@@ -32,7 +32,7 @@ Foam::Pair<Foam::scalar> Foam::mechanicalTest::extents
     const pointField& x
 ) const
 {
-    const bool nodes = type.hasSurface();
+    const bool nodes = type.hasTriangles();
     const scalarField radii(nodes ? scalarField(x.size(), Zero) : type.radii());
     const auto reading = nodes ? clumpExtent::reading::spheres : reading_;
     return Pair<scalar>
@@ -51,7 +51,7 @@ Foam::externalForces Foam::mechanicalTest::pull
 {
     return equilibrium::stretch
     (
-        type, vector(F, 0, 0), type.hasSurface() ? pulledPart_ : 0
+        type, vector(F, 0, 0), type.hasTriangles() ? pulledPart_ : 0
     );
 }
 

@@ -82,7 +82,7 @@ void Foam::mechanicalTests::relaxation::refuseMembrane
     const dictionary& type
 ) const
 {
-    if (clumpType("fit", type).hasSurface())
+    if (clumpType("fit", type).hasTriangles())
     {
         FatalIOErrorInFunction(type)
             << "The test relaxation is without a fluid, which slows a membrane down by"

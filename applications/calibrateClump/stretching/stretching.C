@@ -57,7 +57,7 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::stretching::predict
     {
         *unstable = 0;
     }
-    if (clump.type.hasSurface())
+    if (clump.type.hasTriangles())
     {
         return ofNodes(clump.type, dict, forces);
     }

@@ -28,7 +28,7 @@ clumpType typeOf(const string& shape, const string& more = "")
 TEST_CASE("surfaces: spheres and red cells", "[membrane][serial]")
 {
     const clumpType sphere(typeOf("type icosphere; radius 2e-6; subdivisions 3;"));
-    CHECK(sphere.hasSurface());
+    CHECK(sphere.hasTriangles());
     CHECK(sphere.size() == 642);
     CHECK(sphere.volume() == Approx(pi*4/3*8e-18).epsilon(1e-12));
     CHECK(sphere.mass() == Approx(1000*sphere.volume()).epsilon(1e-12));

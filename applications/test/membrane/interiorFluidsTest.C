@@ -14,7 +14,7 @@ namespace
 //- Mass of the excess of density over the density of the flow [m3]
 scalar excessMass(const testImmersion& spheres)
 {
-    return returnReduce(spheres.immersion->fluids().excessMass(), sumOp<scalar>());
+    return returnReduce(spheres.immersion->excessMass(), sumOp<scalar>());
 }
 
 }
@@ -34,11 +34,11 @@ TEST_CASE("density ratio: the inside has its mass", "[membrane][parallel]")
         List<point>(1, centre), "viscosityRatio " + Foam::name(viscosity) + ";",
         4e-6, 3, 1000/ratio
     );
-    CHECK(!sphere.immersion->fluids().viscosity() == (viscosity == 1));
+    CHECK(!sphere.immersion->viscosity() == (viscosity == 1));
 
     const scalar V = sphere.types[0].volume();
     CHECK(excessMass(sphere) == Approx((ratio - 1)*V).epsilon(0.01));
-    const scalarField& density = sphere.immersion->fluids().density()->primitiveField();
+    const scalarField& density = sphere.immersion->density()->primitiveField();
     CHECK(gMin(density) > min(ratio, 1.0) - 1e-9);
     CHECK(gMax(density) < max(ratio, 1.0) + 1e-9);
 
@@ -50,7 +50,7 @@ TEST_CASE("density ratio: the inside has its mass", "[membrane][parallel]")
     );
     const vector momentum
     (
-        returnReduce(sphere.immersion->fluids().excessMomentum(U), sumOp<vector>())
+        returnReduce(sphere.immersion->excessMomentum(U), sumOp<vector>())
     );
     CHECK(mag(momentum/excessMass(sphere) - vector(1, -2, 3)) < 1e-12);
 }
@@ -62,13 +62,13 @@ TEST_CASE("density ratio: between two surfaces it is not that of both",
     List<point> centres(2, point(6e-6, 10e-6, 10e-6));
     centres[1].x() = 13.7e-6;
     const testImmersion spheres(centres, "", 4e-6, 3, 200);
-    CHECK(gMax(spheres.immersion->fluids().density()->primitiveField()) < 5.0001);
+    CHECK(gMax(spheres.immersion->density()->primitiveField()) < 5.0001);
 }
 
 
 TEST_CASE("density ratio: off where it is one", "[membrane][serial]")
 {
     const testImmersion sphere(List<point>(1, point(10e-6, 10e-6, 10e-6)), "", 4e-6, 2);
-    CHECK(!sphere.immersion->fluids().density());
+    CHECK(!sphere.immersion->density());
     CHECK(excessMass(sphere) == 0);
 }

@@ -67,9 +67,9 @@ Pair<vector> wrench(openCloud& cloud, const label id)
         const vectorField moved(testTime().deltaTValue()*step.imposedU);
         const vectorField f
         (
-            cloud.type(p).hasSurface()
-          ? step.nodes.force
-          : vectorField(step.ofMembranes.f - (step.ofMembranes.k & moved))
+            cloud.type(p).hasTriangles()
+          ? nodesOf(p).force
+          : vectorField(step.ofOtherKinds.f - (step.ofOtherKinds.k & moved))
         );
         const pointField x(p.centres() + moved);
         forAll(f, i)

@@ -120,7 +120,7 @@ turnedSphere::turnedSphere(const scalar ratio, const scalar radius)
     (
         sphere.immersion->force()/dimensionedScalar("rho", dimDensity, 1)
     );
-    variableViscosity viscosity(U, *sphere.immersion->interior());
+    variableViscosity viscosity(U, *sphere.immersion);
     for (label pass = 0; pass < 5; ++pass)
     {
         fvVectorMatrix UEqn(viscosity.stress(nu) - acceleration);

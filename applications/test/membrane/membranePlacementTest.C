@@ -64,7 +64,7 @@ scalar leastGap(const openCloud& cloud)
     forAll(images, a)
     {
         const clumpType& A = cloud.types()[images[a].typeId];
-        if (!A.hasSurface())
+        if (!A.hasTriangles())
         {
             continue;
         }
@@ -82,7 +82,7 @@ scalar leastGap(const openCloud& cloud)
                 least = min
                 (
                     least,
-                    places[i].distance - (B.hasSurface() ? scalar(0) : B.radii()[i])
+                    places[i].distance - (B.hasTriangles() ? scalar(0) : B.radii()[i])
                 );
             }
         }
@@ -97,7 +97,7 @@ scalar enclosedVolume(const openCloud& cloud)
     for (const clumpParcel& p : cloud)
     {
         const clumpType& type = cloud.type(p);
-        V += type.hasSurface()
+        V += type.hasTriangles()
           ? type.surface().volume(p.state().x) : type.volume();
     }
     return returnReduce(V, sumOp<scalar>());

@@ -83,7 +83,7 @@ TEST_CASE("variable viscosity: a sphere that turns with the fluid around it",
         IOobject("U", mesh.time().timeName(), mesh), mesh,
         dimensionedVector(dimVelocity, Zero), "fixedValue"
     );
-    variableViscosity viscosity(U, *sphere.immersion->interior());
+    variableViscosity viscosity(U, *sphere.immersion);
     const auto largestForce = [&](const tensor& gradient)
     {
         forAll(U, celli)
@@ -138,7 +138,7 @@ TEST_CASE("variable viscosity: the momentum equation is solved with all of it",
         const vector x(mesh.cellCentres()[celli] - point(10e-6, 10e-6, 10e-6));
         force[celli] = mag(x) < 4e-6 ? 1e8*(omega ^ x) : vector::zero;
     }
-    variableViscosity viscosity(U, *sphere.immersion->interior());
+    variableViscosity viscosity(U, *sphere.immersion);
     fvVectorMatrix UEqn(viscosity.stress(nu) - force);
     UEqn.lower();       // as in rbcIbFoam
     viscosity.solve(UEqn, 0*force);

@@ -137,7 +137,7 @@ bool Foam::functionObjects::cellFreeLayer::write()
         {
             c = section_.local(c);
         }
-        if (type.hasSurface())
+        if (type.hasTriangles())
         {
             addMembrane(type.surface(), x, directions, edges);
             continue;

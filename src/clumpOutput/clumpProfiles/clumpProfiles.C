@@ -86,7 +86,7 @@ void Foam::functionObjects::clumpProfiles::addClump
     {
         c = section_.local(c);
     }
-    if (type.hasSurface())
+    if (type.hasTriangles())
     {
         addMembrane(p, x, volumes, flows);
         return;

@@ -132,7 +132,7 @@ Foam::string Foam::functionObjects::clumpShape::row
     const clumpType& type
 ) const
 {
-    if (type.hasSurface())
+    if (type.hasTriangles())
     {
         return membraneRow(p, type);
     }

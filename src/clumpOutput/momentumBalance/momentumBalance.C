@@ -261,7 +261,7 @@ void Foam::functionObjects::momentumBalance::findTerms
     const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
     fluidRate_ = rho*gSum(V*(change - clumps_.correction))/dt;
     forcing_ =
-        cloud.coupling().forceOnFluid(U)
+        cloud.forceOnFluid(U)
       + rho*gSum(V*cloud.boundary().strength().primitiveField())
        *clumps_.correction
       - clumps_.inside;
@@ -295,8 +295,7 @@ void Foam::functionObjects::momentumBalance::findTerms
         size_ = max(size_, mag(F));
     }
 
-    const interiorFluids* fluids =
-        cloud.surfaces() ? &cloud.surfaces()->fluids() : nullptr;
+    const fluidsInside* fluids = cloud.fluids();
     momentum_ =
         gSum(rho*V*U.primitiveField())
       + returnReduce(excessMomentum(cloud), sumOp<vector>());

@@ -76,7 +76,7 @@ void Foam::functionObjects::vtkClumps::collect
         const clumpType& type = cloud.type(p);
         const pointField x(p.centres());
 
-        for (label i = 0; i < x.size() && !type.hasSurface(); ++i)
+        for (label i = 0; i < x.size() && !type.hasTriangles(); ++i)
         {
             centres.append(x[i]);
             radii.append(type.radii()[i]);
@@ -111,7 +111,7 @@ void Foam::functionObjects::vtkClumps::collect
     forAll(cloud.types(), i)
     {
         all.spheres.texts[i] = cloud.types()[i].name();
-        all.hasMembranes = all.hasMembranes || cloud.types()[i].hasSurface();
+        all.hasMembranes = all.hasMembranes || cloud.types()[i].hasTriangles();
     }
     if (all.hasMembranes)
     {
@@ -178,7 +178,7 @@ void Foam::functionObjects::vtkClumps::collectMembranes
     for (const clumpParcel& p : cloud)
     {
         const clumpType& type = cloud.type(p);
-        if (!type.hasSurface())
+        if (!type.hasTriangles())
         {
             continue;
         }

@@ -77,7 +77,7 @@ void Foam::closedMomentum::correct()
     scalar mass = rho*sum(V) + excessMass(cloud_);
     if (flow_.densityRatio())
     {
-        mass += rho*cloud_.surfaces()->fluids().excessMass();
+        mass += rho*cloud_.fluids()->excessMass();
     }
     reduce(excess, sumOp<vector>());
     reduce(mass, sumOp<scalar>());

@@ -106,12 +106,12 @@ Foam::tmp<Foam::volVectorField> Foam::clumpDisplacement
     label index = 0;
     for (const clumpParcel& p : cloud)
     {
-        // Membranes are met at the end of a step
+        // Nodes of surfaces are met at the end of a step
         const clumpType& type = cloud.type(p);
         from[index] = p.centre(type) - p.sinceMet();
         by[index] =
             p.sinceMet()
-          + (type.hasSurface() ? 2 : 1)*half*cloud.velocityOverMesh(p);
+          + (type.ofSpheres() ? 1 : 2)*half*cloud.velocityOverMesh(p);
         ++index;
     }
 

@@ -75,7 +75,7 @@ void Foam::couplingIteration::refuseLaggingContact() const
     if
     (
         flow_.control().nCorrPIMPLE() == 1 && meet
-     && surfaceImmersion::wanted(cloud_.types())
+     && cloud_.kinds().size()
      && cloud_.motion().decisions().clumpsMayTouch()
     )
     {

@@ -107,7 +107,7 @@ Foam::scalar Foam::couplingResidual::imbalance
 ) const
 {
     const clumpType& type = cloud_.type(p);
-    if (type.hasSurface())
+    if (!type.ofSpheres())
     {
         return 0;
     }
@@ -160,7 +160,7 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         powers[2] += ended;
         worst = max(worst, changed/max(max(imposed, ended), floor));
         worst = max(worst, sqr(imbalance(p, du, dw, slowest)/3));
-        if (!step.nodes.solved)
+        if (!step.solved)
         {
             worst = sqr(GREAT);
         }

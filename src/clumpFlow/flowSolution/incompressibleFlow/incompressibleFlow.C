@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "incompressibleFlow.H"
+#include "fluidsInside.H"
 #include "anyNumber.H"
 #include "checkedEntries.H"
 #include "findRefCell.H"
@@ -16,7 +17,6 @@
 #include "fvmSup.H"
 #include "initialPressure.H"
 #include "solverSettings.H"
-#include "surfaceImmersion.H"
 #include "unsolvedPhysics.H"
 
 void Foam::incompressibleFlow::check(const dictionary& dict)
@@ -223,7 +223,7 @@ Foam::incompressibleFlow::incompressibleFlow
 )
 :
     solved_(present && solved),
-    membranes_(nullptr),
+    fluids_(nullptr),
     options_(nullptr),
     pRefCell_(0),
     pRefValue_(0)
@@ -280,26 +280,26 @@ const Foam::volScalarField& Foam::incompressibleFlow::nu() const
 Foam::scalar Foam::incompressibleFlow::leastNu() const
 {
     // Not that of the field rho: before the first step, and after a restart, there is none
-    const scalar densest = membranes_ ? membranes_->fluids().densest() : 1;
+    const scalar densest = fluids_ ? fluids_->densest() : 1;
     return gMin(nu().primitiveField())/densest;
 }
 
 
-void Foam::incompressibleFlow::setMembranes(const surfaceImmersion* membranes)
+void Foam::incompressibleFlow::setFluids(const fluidsInside* fluids)
 {
-    membranes_ = membranes;
-    if (solved_ && membranes && membranes->interior())
+    fluids_ = fluids;
+    if (solved_ && fluids && fluids->viscosity())
     {
-        variable_.reset(new variableViscosity(*U_, *membranes->interior()));
+        variable_.reset(new variableViscosity(*U_, *fluids));
     }
 }
 
 
 Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::viscosity() const
 {
-    if (membranes_ && membranes_->fluids().viscosity())
+    if (fluids_ && fluids_->viscosity())
     {
-        return *membranes_->fluids().viscosity()*nu();
+        return *fluids_->viscosity()*nu();
     }
     return nu();
 }
@@ -307,7 +307,7 @@ Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::viscosity() const
 
 const Foam::volScalarField* Foam::incompressibleFlow::densityRatio() const
 {
-    return membranes_ ? membranes_->fluids().density() : nullptr;
+    return fluids_ ? fluids_->density() : nullptr;
 }
 
 

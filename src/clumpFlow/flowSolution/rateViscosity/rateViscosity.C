@@ -266,7 +266,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::rateViscosity::onFaces() const
 
 Foam::tmp<Foam::fvVectorMatrix> Foam::rateViscosity::stress()
 {
-    if (!acts_ || !withClumps_ || (cloud_.surfaces() && cloud_.surfaces()->interior()))
+    if (!acts_ || !withClumps_ || (cloud_.fluids() && cloud_.fluids()->viscosity()))
     {
         return flow_.viscousStress();
     }

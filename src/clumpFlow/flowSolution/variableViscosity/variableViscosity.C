@@ -4,21 +4,21 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variableViscosity.H"
+#include "fluidsInside.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
-#include "membraneInterior.H"
 
 Foam::variableViscosity::variableViscosity
 (
     volVectorField& U,
-    const membraneInterior& interior
+    const fluidsInside& fluids
 )
 :
     U_(U),
-    interior_(interior),
+    fluids_(fluids),
     acceleration_(6),
     nPasses_(0)
 {}
@@ -29,7 +29,7 @@ Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
     const fvMesh& mesh = U_.mesh();
 
     // By name: a temporary tensor field would be transposed in place, see
-    // membraneInterior::stressIn
+    // fluidsInside::couple
     const volTensorField gradU("gradU", fvc::grad(U_));
     const surfaceVectorField transposed
     (
@@ -38,7 +38,7 @@ Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
     return fvc::div
     (
         *excess_*transposed
-      + interior_.couple(*nu_*(mesh.magSf()*fvc::snGrad(U_) + transposed))
+      + fluids_.couple(*nu_*(mesh.magSf()*fvc::snGrad(U_) + transposed))
     );
 }
 

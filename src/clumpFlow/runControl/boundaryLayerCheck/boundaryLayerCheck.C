@@ -41,7 +41,7 @@ void Foam::boundaryLayerCheck::add
     for (const clumpParcel& p : cloud_)
     {
         const clumpType& type = cloud_.type(p);
-        if (type.hasSurface())
+        if (!type.ofSpheres())
         {
             continue;
         }

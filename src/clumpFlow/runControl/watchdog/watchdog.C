@@ -353,9 +353,9 @@ Foam::string Foam::watchdog::thrown()
             said<< name.str().c_str() << "passes through another clump in one step"
                 << nl;
         }
-        if (!p.step().nodes.solved)
+        if (!p.step().solved)
         {
-            said<< name.str().c_str() << "the step of its membrane has no solution"
+            said<< name.str().c_str() << "its step has no solution"
                 << nl;
         }
         const scalar displacement =
@@ -369,11 +369,11 @@ Foam::string Foam::watchdog::thrown()
         {
             said<< name.str().c_str() << "a sphere is displaced by "
                 << displacement << " radii in one step" << nl;
-            // A membrane has the velocity to which the outer correctors drove the flow
+            // Nodes of a surface have the velocity to which the outer correctors drove the flow
             curable_ =
                 curable_
              && (
-                    type.hasSurface()
+                    !type.ofSpheres()
                  || displacement < repeatedStep::mostParts*maxDisplacement_
                 );
         }

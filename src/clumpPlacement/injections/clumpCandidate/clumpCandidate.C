@@ -26,7 +26,7 @@ bool near
 {
     const scalarField r
     (
-        other.hasSurface() ? scalarField(x.size(), Zero) : other.radii()
+        other.hasTriangles() ? scalarField(x.size(), Zero) : other.radii()
     );
     const scalar most = max(max(r) + gap, scalar(0));
     const boundBox box(grown(boundBox(nodes, false), most));
@@ -88,13 +88,13 @@ bool Foam::overlap
 {
     const clumpType& typeA = types[a.typeId];
     const clumpType& typeB = types[b.typeId];
-    if (typeA.hasSurface() || typeB.hasSurface())
+    if (typeA.hasTriangles() || typeB.hasTriangles())
     {
         const pointField xa(a.centres());
         const pointField xb(b.centres() + shift);
         return
-            (typeA.hasSurface() && near(typeA, xa, typeB, xb, gap))
-         || (typeB.hasSurface() && near(typeB, xb, typeA, xa, gap));
+            (typeA.hasTriangles() && near(typeA, xa, typeB, xb, gap))
+         || (typeB.hasTriangles() && near(typeB, xb, typeA, xa, gap));
     }
     const scalarField& ra = typeA.radii();
     const scalarField& rb = typeB.radii();

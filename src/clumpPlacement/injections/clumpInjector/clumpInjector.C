@@ -6,6 +6,7 @@
 #include "clumpInjector.H"
 #include "addToRunTimeSelectionTable.H"
 #include "placement.H"
+#include "surfaceCrossing.H"
 #include "treeDataCell.H"
 #include "volFields.H"
 
@@ -66,6 +67,32 @@ void Foam::clumpInjector::place
     (
         getDict(clumpProperties_, "placement"), site_.types, site_.typeIds
     )->place(site_.mesh, clumps, followFlow);
+}
+
+
+void Foam::clumpInjector::refuseOutside() const
+{
+    const dictionary& placement = getDict(clumpProperties_, "placement");
+    const surfaceCrossing crossing(site_.mesh, site_.types, site_.ghosts, 0.01);
+    if (crossing.outside())
+    {
+        FatalIOErrorInFunction(placement)
+            << "Entry 'position': " << crossing.description().c_str()
+            << exit(FatalIOError);
+    }
+    if (crossing.wide().size())
+    {
+        FatalIOErrorInFunction(placement)
+            << "Entry 'position': " << crossing.wide().c_str() << " Spheres are rigid,"
+            << " and this one can go nowhere. Check the units of the shape and the"
+            << " scale of the mesh." << exit(FatalIOError);
+    }
+    if (crossing.nClumps())
+    {
+        IOWarningInFunction(placement)
+            << crossing.nClumps() << " clumps start across a wall or an open"
+            << " patch; " << crossing.description().c_str() << endl;
+    }
 }
 
 

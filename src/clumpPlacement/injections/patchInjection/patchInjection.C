@@ -67,7 +67,7 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
                 << "Clumps of type " << s.types[typei].name()
                 << " do not move; they cannot be injected." << exit(FatalIOError);
         }
-        if (shares_[typei] > 0 && s.types[typei].hasSurface() && dict.found("velocity"))
+        if (shares_[typei] > 0 && s.types[typei].hasTriangles() && dict.found("velocity"))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry 'velocity': " << s.types[typei].name() << " is a membrane, which"

@@ -8,7 +8,7 @@
 #include "clockTime.H"
 #include "endSignal.H"
 #include "foamCompat.H"
-#include "membraneContacts.H"
+#include "surfaceSpacing.H"
 #include "sphereGrid.H"
 #include "mathematicalConstants.H"
 
@@ -112,7 +112,7 @@ void Foam::clumpPacking::setBodies(const bool whole)
     forAll(types_, i)
     {
         const clumpType& type = types_[i];
-        const bool membrane = type.hasSurface();
+        const bool membrane = type.hasTriangles();
         bodies_.set(i, new body);
         body& b = bodies_[i];
         b.x = whole ? pointField(1, Zero) : type.centres();
@@ -541,8 +541,8 @@ Foam::scalar Foam::clumpPacking::pack
         told.say(nSteps_, scale_, 0, deepest, sinceGrowth);
     }
 
-    const scalar width = membraneContacts::narrowest(clumps_, types_);
-    const scalar range = membraneContacts::defaultRange*width;
+    const scalar width = surfaceSpacing::narrowest(clumps_, types_);
+    const scalar range = surfaceSpacing::byDefault*width;
     if (reached == 1 && width < GREAT && range > gap_)
     {
         deepest = setApart(range, maxOverlap, told);

@@ -39,7 +39,7 @@ Foam::clumpPlacements::list::list
         );
         const label typei = placement::typeId(d, getEntry<word>(d, "type"));
         const bool moves = d.found("velocity") || d.found("angularVelocity");
-        if (types_[typei].hasSurface() && moves)
+        if (types_[typei].hasTriangles() && moves)
         {
             FatalIOErrorInFunction(d)
                 << "Entry 'type': " << types_[typei].name() << " is a membrane, which"

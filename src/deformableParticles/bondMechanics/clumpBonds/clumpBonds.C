@@ -41,7 +41,7 @@ Foam::clumpBonds::clumpBonds(const clumpType& type, const dictionary& dict)
     pattern_(type.size(), type.pairs())
 {
     const label i = loose(type);
-    if (i >= 0 && !type.fixed() && !type.hasSurface())
+    if (i >= 0 && !type.fixed() && type.ofSpheres())
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'shape': bonds join sphere " << i << " to sphere 0 neither"

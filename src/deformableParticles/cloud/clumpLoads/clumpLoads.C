@@ -58,11 +58,11 @@ void Foam::clumpLoads::read
 void Foam::clumpLoads::hold(const dictionary& dict, const label typei)
 {
     const symmTensor& along = loads_.last().constraint();
-    if (tr(along) > 0 && types_[typei].hasSurface())
+    if (tr(along) > 0 && !types_[typei].ofSpheres())
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'clumpType': " << types_[typei].name() << " is a membrane, which"
-            << " the load hold cannot hold: its force would depend on the time step."
+            << "Entry 'clumpType': " << types_[typei].name() << " is no clump of spheres;"
+            << " the load hold cannot hold it: its force would depend on the time step."
             << exit(FatalIOError);
     }
     if (tr(held_[typei]) > 0 && tr(along) > 0)

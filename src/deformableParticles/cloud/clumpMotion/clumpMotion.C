@@ -10,12 +10,10 @@
 
 Foam::clumpMotion::clumpMotion
 (
-    clumpSuspension& clumps,
-    cloudMembranes& membranes
+    clumpSuspension& clumps
 )
 :
     clumps_(clumps),
-    membranes_(membranes),
     coupling_(clumps.hasFluid() ? &clumps.coupling() : nullptr),
     integrator_(selectModel<integrator>(getDict(clumps.properties(), "integrator"))),
     loads_(clumps.mesh(), clumps.types()),
@@ -37,9 +35,18 @@ Foam::clumpMotion::clumpMotion
         clumps.typeIds()
     );
     decisions_.refuseIdle(integrator_->implicit());
-    if (surfaceImmersion::wanted(clumps.types()) && decisions_.clumpsMayTouch())
+    for (clumpKind& kind : clumps.kinds())
     {
-        membranes_.contacts().refuseSmallSpheres(getDict(dict, "types"));
+        kind.check
+        (
+            {
+                clumps.coupled(),
+                coupling_ && coupling_->damps(),
+                integrator_->implicit(),
+                decisions_.clumpsMayTouch()
+            }
+        );
+        kind.immerseIn(clumps.fluidDensity());
     }
 }
 
@@ -51,14 +58,17 @@ void Foam::clumpMotion::refuseOverlaps(const dictionary& placement) const
     {
         contacts_.refuseOverlaps(ghosts.images(), ghosts.nOwn(), placement);
     }
-    if (decisions_.clumpsMayTouch())
+    for (const clumpKind& kind : clumps_.kinds())
     {
-        membranes_.contacts().refuseOverlaps(ghosts, placement);
+        if (decisions_.clumpsMayTouch())
+        {
+            kind.refuseOverlaps(ghosts, placement);
+        }
     }
 }
 
 
-const Foam::wallSurface* Foam::clumpMotion::wallsOfMembranes()
+const Foam::wallSurface* Foam::clumpMotion::touchedWalls()
 {
     if (!decisions_.wallsMayTouch())
     {
@@ -76,7 +86,7 @@ void Foam::clumpMotion::setNodeForces()
     for (clumpParcel& p : clumps_)
     {
         ++index;
-        if (type(p).hasSurface())
+        if (clumps_.kind(p))
         {
             // As in solveOnce
             externalForces& ext = p.step().forces;
@@ -159,7 +169,7 @@ void Foam::clumpMotion::solveOnce(const scalar dt)
     for (clumpParcel& p : clumps_)
     {
         clumpStep& step = p.step();
-        if (!type(p).fixed() && !type(p).hasSurface())
+        if (!type(p).fixed() && type(p).ofSpheres())
         {
             momentum_.addStep(type(p), p.state(), step);
         }
@@ -217,14 +227,13 @@ void Foam::clumpMotion::addWeight
     {
         const timeBreakdown::timer t(clumps_.timing(), "gravity");
         const scalar rho = clumps_.fluidDensity();
-        const clumpType& ct = type(p);
-        if (ct.hasSurface())
+        if (const clumpKind* kind = clumps_.kind(p))
         {
-            ext.f += membranes_.weight(p, rho, clumps_.g());
+            ext.f += kind->weight(p, rho, clumps_.g());
         }
         else
         {
-            ext.f += ct.excessMasses(rho, p.state().x)*clumps_.g();
+            ext.f += type(p).excessMasses(rho, p.state().x)*clumps_.g();
         }
     }
 }
@@ -241,7 +250,7 @@ void Foam::clumpMotion::setSteadyForces
     ext = externalForces(ct.size());
 
     addWeight(p, ext);
-    if (ct.hasSurface())
+    if (!ct.ofSpheres())
     {
         momentum_.addFluid(p, vectorField(), Zero);
         return;
@@ -257,20 +266,20 @@ void Foam::clumpMotion::setSteadyForces
             p, coupling_->interiorForces(p, dt), coupling_->displacedInertia(p, dt)
         );
     }
-    const externalForces& ofMembranes = p.step().ofMembranes;
-    if (ofMembranes.f.size())
+    const externalForces& ofOtherKinds = p.step().ofOtherKinds;
+    if (ofOtherKinds.f.size())
     {
-        ext.f += ofMembranes.f;
-        ext.k += ofMembranes.k;
+        ext.f += ofOtherKinds.f;
+        ext.k += ofOtherKinds.k;
     }
 }
 
 
 void Foam::clumpMotion::advance(clumpParcel& p, const scalar dt)
 {
-    if (type(p).hasSurface())
+    if (const clumpKind* kind = clumps_.kind(p))
     {
-        membranes_.advance(p, coupling_->viscosity());
+        kind->advance(p, coupling_->viscosity());
         ++nSolves_;
         return;
     }
@@ -292,10 +301,10 @@ void Foam::clumpMotion::endCorrector(const scalar dt)
     for (clumpParcel& p : clumps_)
     {
         clumpStep& step = p.step();
+        const clumpKind* kind = clumps_.kind(p);
         step.end.a =
-            type(p).hasSurface()
-          ? membraneStep::acceleration(p, dt, clumps_.mesh().time().deltaT0Value())
-          : vectorField((step.end.u - step.imposedU)/dt);
+            kind
+          ? kind->acceleration(p) : vectorField((step.end.u - step.imposedU)/dt);
         step.end.b = (step.end.w - step.imposedW)/dt;
     }
 }

@@ -7,6 +7,7 @@
 #include "accuracyLevel.H"
 #include "anyNumber.H"
 #include "checkedEntries.H"
+#include "clumpKind.H"
 #include "foamCompat.H"
 #include "fvMesh.H"
 #include "modelSelection.H"
@@ -121,6 +122,14 @@ Foam::dictionary Foam::completeClumpProperties
             << " clumps any more. Remove the entry; 'lubrication' is the only one"
             << " that acts across gaps." << exit(FatalIOError);
     }
+    wordList entries
+    ({
+        "types", "placement", "injection", "integrator", "contactModel",
+        "wallContactModel", "lubrication", "loads", "effects", "rotation",
+        "couplingScheme", "immersedBoundary", "openPatches", "typesMayChange",
+        "accuracyLevel", "rho"
+    });
+    entries.append(clumpKind::entries());
     refuseUnread
     (
         result,
@@ -128,12 +137,7 @@ Foam::dictionary Foam::completeClumpProperties
         (
             IOobject("clumpProperties", mesh.time().constant(), mesh)
         ),
-        {
-            "types", "placement", "injection", "integrator", "contactModel",
-            "wallContactModel", "lubrication", "membraneContact", "loads", "effects",
-            "rotation", "couplingScheme", "immersedBoundary", "openPatches",
-            "typesMayChange", "accuracyLevel", "rho"
-        }
+        entries
     );
     if (result.isDict("types"))
     {

@@ -26,5 +26,5 @@ Foam::autoPtr<Foam::clumpSource> Foam::clumpSource::New
             << "No library that places clumps is loaded. Link libclumpPlacement, or add"
             << " it to the entry 'libs' of system/controlDict." << exit(FatalError);
     }
-    return cloudConstructorTablePtr_->cbegin()()(cloudName, clumpProperties, s);
+    return cloudConstructorTablePtr_->cbegin().val()(cloudName, clumpProperties, s);
 }

@@ -10,7 +10,6 @@
 #include "clumpTotals.H"
 #include "foamCompat.H"
 #include "IOdictionary.H"
-#include "surfaceCrossing.H"
 
 bool Foam::clumpStart::begin
 (
@@ -101,37 +100,6 @@ void Foam::clumpStart::place
 
     source.place(cloud, followFlow_);
     Info<< "Placed " << returnReduce(cloud.size(), sumOp<label>()) << " clumps" << endl;
-}
-
-
-void Foam::clumpStart::refuseOutside
-(
-    const fvMesh& mesh,
-    const PtrList<clumpType>& types,
-    const ghostExchange& ghosts,
-    const dictionary& placement
-)
-{
-    const surfaceCrossing crossing(mesh, types, ghosts, 0.01);
-    if (crossing.outside())
-    {
-        FatalIOErrorInFunction(placement)
-            << "Entry 'position': " << crossing.description().c_str()
-            << exit(FatalIOError);
-    }
-    if (crossing.wide().size())
-    {
-        FatalIOErrorInFunction(placement)
-            << "Entry 'position': " << crossing.wide().c_str() << " Spheres are rigid,"
-            << " and this one can go nowhere. Check the units of the shape and the"
-            << " scale of the mesh." << exit(FatalIOError);
-    }
-    if (crossing.nClumps())
-    {
-        IOWarningInFunction(placement)
-            << crossing.nClumps() << " clumps start across a wall or an open"
-            << " patch; " << crossing.description().c_str() << endl;
-    }
 }
 
 

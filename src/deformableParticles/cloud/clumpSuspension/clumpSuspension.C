@@ -35,7 +35,7 @@ void Foam::clumpSuspension::setPresence()
     {
         clumpImage& image = ghosts_.images()[index++];
         image.presence =
-            type(p).hasSurface() ? 1 : openPatches_.presence(type(p), image.x);
+            type(p).ofSpheres() ? openPatches_.presence(type(p), image.x) : 1;
         p.step().presence = image.presence;
     }
 }
@@ -139,4 +139,43 @@ void Foam::clumpSuspension::writeObjects(objectRegistry& obr) const
         position[i] = p.centre(type(p));
         ++i;
     }
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::clumpSuspension::forcing
+(
+    const volVectorField& U
+) const
+{
+    tmp<fvVectorMatrix> result(boundary().forcing(U));
+    for (const clumpKind& kind : kinds_)
+    {
+        result.ref() +=
+            kind.force()/dimensionedScalar("rho", dimDensity, fluidDensity());
+    }
+    return result;
+}
+
+
+Foam::vector Foam::clumpSuspension::forceOnFluid(const volVectorField& U) const
+{
+    vector result(boundary().forceOnFluid(U, fluidDensity()));
+    for (const clumpKind& kind : kinds_)
+    {
+        result += gSum(mesh_.V()*kind.force().primitiveField());
+    }
+    return result;
+}
+
+
+const Foam::fluidsInside* Foam::clumpSuspension::fluids() const
+{
+    for (const clumpKind& kind : kinds_)
+    {
+        if (kind.fluids())
+        {
+            return kind.fluids();
+        }
+    }
+    return nullptr;
 }

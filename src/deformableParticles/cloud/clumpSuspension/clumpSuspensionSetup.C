@@ -20,7 +20,6 @@ Foam::clumpSuspension::clumpSuspension
     Cloud<clumpParcel>((anyNumber(), mesh), name, false),
     mesh_(mesh),
     dict_(completeClumpProperties(mesh, dict)),
-    membranes_(mesh, types_, dict_),
     g_(gravityOf(mesh)),
     effects_(dict_),
     ghosts_(mesh),
@@ -34,13 +33,6 @@ Foam::clumpSuspension::clumpSuspension
     if (effects_.active("fluid"))
     {
         resetCoupling();
-    }
-    if (surfaceImmersion::wanted(types_) && !coupled())
-    {
-        FatalIOErrorInFunction(getDict(dict_, "types"))
-            << "Entry 'types': a membrane has no inertia of its own and needs a fluid"
-            << " that feels it; without a fluid, or with feedback off or a frozen"
-            << " flow, there are only clumps of spheres." << exit(FatalIOError);
     }
 }
 
@@ -61,6 +53,7 @@ void Foam::clumpSuspension::readTypes()
     }
     types_.setSize(names.size());
     bonds_.setSize(names.size());
+    kindOf_.setSize(names.size());
     forAll(names, i)
     {
         dictionary type(getDict(types, names[i]));
@@ -76,10 +69,33 @@ void Foam::clumpSuspension::readTypes()
         }
         types_.set(i, new clumpType(names[i], type));
         bonds_.set(i, new clumpBonds(types_[i], type));
-        membranes_.read(i, type);
+        readKind(i, type);
         typeIds_.insert(names[i], i);
     }
     refuseNamesOfPieces(types);
+}
+
+
+void Foam::clumpSuspension::readKind(const label typei, const dictionary& dict)
+{
+    const word& name = types_[typei].kind();
+    if (types_[typei].ofSpheres())
+    {
+        return;
+    }
+    for (clumpKind& kind : kinds_)
+    {
+        if (kind.type() == name)
+        {
+            kindOf_.set(typei, &kind);
+        }
+    }
+    if (!kindOf_.set(typei))
+    {
+        kinds_.append(clumpKind::New(name, {mesh_, types_, dict_}));
+        kindOf_.set(typei, &kinds_.last());
+    }
+    kindOf_[typei].read(typei, dict);
 }
 
 
@@ -120,6 +136,7 @@ Foam::label Foam::clumpSuspension::pieceType
     }
     types_.append(type.ptr());
     bonds_.append(new clumpBonds(types_.last(), bonds_[whole]));
+    kindOf_.setSize(types_.size());
     return types_.size() - 1;
 }
 
@@ -148,14 +165,13 @@ void Foam::clumpSuspension::completeContactModels()
                 << stress << " Pa, " << reason.c_str() << endl;
         }
     }
-    if
-    (
-        membranes_.contacts().needsStress() && surfaceImmersion::wanted(types_)
-     && effects_.active("fluid")
-    )
+    for (clumpKind& kind : kinds_)
     {
-        const scalar stress = stressOfScene(reason);
-        membranes_.setContactStress(stress, reason);
+        if (kind.needsContactStress() && effects_.active("fluid"))
+        {
+            const scalar stress = stressOfScene(reason);
+            kind.setContactStress(stress, reason);
+        }
     }
 }
 

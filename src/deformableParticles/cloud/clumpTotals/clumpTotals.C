@@ -39,7 +39,7 @@ Foam::vector Foam::excessMomentum(const clumpSuspension& clumps)
     {
         const clumpType& ct = clumps.type(p);
         const clumpState& s = p.state();
-        if (ct.hasSurface())
+        if (!ct.ofSpheres())
         {
             continue;
         }
@@ -59,7 +59,7 @@ Foam::scalar Foam::excessMass(const clumpSuspension& clumps)
     scalar result = 0;
     for (const clumpParcel& p : clumps)
     {
-        if (clumps.type(p).hasSurface())
+        if (!clumps.type(p).ofSpheres())
         {
             continue;
         }

@@ -32,14 +32,14 @@ Foam::deformableCloud::deformableCloud
 )
 :
     clumpSuspension(mesh, dict, name),
-    motion_(*this, membranes_)
+    motion_(*this)
 {
     const bool restarts = readOrPlace();
     if (!restarts && nClumps())
     {
         const dictionary& placement = getDict(dict_, "placement");
         motion_.refuseOverlaps(placement);
-        clumpStart::refuseOutside(mesh_, types_, ghosts_, placement);
+        source_->refuseOutside();
     }
     motion_.decideEffects();
 }
@@ -137,9 +137,9 @@ void Foam::deformableCloud::meshChanged()
     ghosts_.meshChanged();
     motion_.meshChanged();
     coupling_->boundary().meshChanged();
-    if (coupling_->surfaces())
+    for (clumpKind& kind : kinds_)
     {
-        coupling_->surfaces()->meshChanged();
+        kind.meshChanged();
     }
     source_->meshChanged();
     openPatches_.clear();

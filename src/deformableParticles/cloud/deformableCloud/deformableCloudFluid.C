@@ -10,8 +10,8 @@ void Foam::deformableCloud::lookAhead()
     const scalar dt = mesh_.time().deltaTValue();
     for (clumpParcel& p : *this)
     {
-        // The nodes of a membrane are met at the end of the step, see membraneStep
-        const bool nodes = type(p).hasSurface();
+        // See clumpKind
+        const bool nodes = kind(p);
         p.step().ahead = (nodes ? 1 : 0.5)*dt*velocityOverMesh(p);
         p.step().span = nodes ? dt : 0;
     }
@@ -35,25 +35,30 @@ void Foam::deformableCloud::immerse
     {
         lookAhead();
     }
-    ghosts_.setRange
-    (
-        motion_.decisions().mayLubricate() ? membranes_.contacts().filmLimit() : 0
-    );
+    const bool films = motion_.decisions().mayLubricate();
+    scalar range = 0;
+    for (const clumpKind& kind : kinds_)
+    {
+        range = films ? max(range, kind.range()) : 0;
+    }
+    ghosts_.setRange(range);
     updateGhosts();
 
     const timeBreakdown::timer t(timing_, "solid fraction");
     coupling_->setViscosity(nu);
-    if (coupling_->surfaces() && moving)
+    for (clumpKind& kind : kinds_)
     {
-        membranes_.beginContacts
-        (
-            *this, ghosts_, meshVelocity_,
-            motion_.decisions().mayLubricate() ? coupling_->viscosity() : 0
-        );
-    }
-    else
-    {
-        membranes_.clearContacts();
+        if (moving)
+        {
+            kind.beginContacts
+            (
+                *this, ghosts_, meshVelocity_, films ? coupling_->viscosity() : 0
+            );
+        }
+        else
+        {
+            kind.clearContacts();
+        }
     }
     coupling_->boundary().update(ghosts_.images(), nu);
     ghosts_.returnTensions();
@@ -69,7 +74,7 @@ void Foam::deformableCloud::immerse
     {
         turnVelocities(corrected);
     }
-    immerseMembranes();
+    immerseKinds();
     impose();
 }
 
@@ -133,32 +138,35 @@ void Foam::deformableCloud::impose()
     }
     ghosts_.updateVelocities();
     coupling_->boundary().impose(ghosts_.images());
-    if (surfaceImmersion* surfaces = coupling_->surfaces())
+    for (clumpKind& kind : kinds_)
     {
-        membranes_.impose
+        kind.impose
         (
-            *this, ghosts_, *surfaces, motion_.decisions().clumpsMayTouch(),
-            motion_.wallsOfMembranes()
+            *this, ghosts_, motion_.decisions().clumpsMayTouch(),
+            motion_.touchedWalls()
         );
     }
 }
 
 
-void Foam::deformableCloud::immerseMembranes()
+void Foam::deformableCloud::immerseKinds()
 {
-    if (surfaceImmersion* surfaces = coupling_->surfaces())
+    for (clumpKind& kind : kinds_)
     {
-        membranes_.immerse(*this, ghosts_, *surfaces, coupling_->viscosity());
+        kind.immerse(*this, ghosts_, coupling_->viscosity());
+    }
+    if (kinds_.size())
+    {
         motion_.setNodeForces();
     }
 }
 
 
-void Foam::deformableCloud::sampleMembranes(const volVectorField& U)
+void Foam::deformableCloud::sampleKinds(const volVectorField& U)
 {
-    if (surfaceImmersion* surfaces = coupling_->surfaces())
+    for (const clumpKind& kind : kinds_)
     {
-        membranes_.sample(U, *this, ghosts_, *surfaces, coupling_->viscosity());
+        kind.sample(U, *this, ghosts_, coupling_->viscosity());
     }
 }
 
@@ -224,14 +232,14 @@ void Foam::deformableCloud::gatherForces
     ghosts_.returnForces();
     if (coupled())
     {
-        sampleMembranes(U);
+        sampleKinds(U);
     }
 
     label index = 0;
     for (clumpParcel& parcel : *this)
     {
         clumpImage& image = ghosts_.images()[index++];
-        if (!type(parcel).hasSurface())
+        if (type(parcel).ofSpheres())
         {
             parcel.step().lastFluidForces = parcel.fluidForces();
             coupling_->takeForces(parcel, image);
@@ -245,7 +253,7 @@ void Foam::deformableCloud::gatherForces
         for (clumpParcel& parcel : *this)
         {
             const clumpImage& image = ghosts_.images()[index++];
-            if (!type(parcel).hasSurface())
+            if (type(parcel).ofSpheres())
             {
                 coupling_->takeTorques(parcel, image);
             }
@@ -265,9 +273,9 @@ void Foam::deformableCloud::followFlow
     {
         return;
     }
-    if (type(p).hasSurface())
+    if (const clumpKind* k = kind(p))
     {
-        s.u = p.step().nodes.u;
+        s.u = k->flowVelocities(p);
     }
     else
     {
@@ -314,13 +322,13 @@ bool Foam::deformableCloud::startWithFlow
     ghosts_.returnForces();
     if (coupled())
     {
-        immerseMembranes();
-        sampleMembranes(U);
+        immerseKinds();
+        sampleKinds(U);
     }
 
     const bool some = startWithVelocities();
     start_.end();
-    followedFlow_ = coupled() && !some && !coupling_->surfaces();
+    followedFlow_ = coupled() && !some && kinds_.empty();
 
     // What starts with a velocity of its own starts with the fluid inside it
     if (!coupled() || !some)

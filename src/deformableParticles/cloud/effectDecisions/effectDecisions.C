@@ -6,7 +6,6 @@
 #include "effectDecisions.H"
 #include "checkedEntries.H"
 #include "clumpTotals.H"
-#include "surfaceImmersion.H"
 
 Foam::effectDecisions::effectDecisions
 (
@@ -49,12 +48,6 @@ void Foam::effectDecisions::refuseIdle(const bool implicit) const
             FatalIOErrorInFunction(getDict(dict, "lubrication"))
                 << idle.c_str() << exit(FatalIOError);
         }
-    }
-    if (surfaceImmersion::wanted(clumps_.types()) && !implicit)
-    {
-        FatalIOErrorInFunction(getDict(dict, "integrator"))
-            << "Entry 'type': a membrane is advanced implicitly. Valid here:"
-            << " implicitEuler" << exit(FatalIOError);
     }
     if
     (
@@ -226,7 +219,7 @@ void Foam::effectDecisions::decideLubrication()
     const bool contact = effects_.active("contact");
     const bool near =
         contact || effects_.active("walls")
-     || surfaceImmersion::wanted(clumps_.types());
+     || clumps_.kinds().size();
     const string reason(lubricationIdle());
     effects_.decide
     (
@@ -235,7 +228,7 @@ void Foam::effectDecisions::decideLubrication()
         reason.size() ? reason
       : contact ? string("clumps are near")
       : effects_.active("walls") ? string("walls are near")
-      : near ? string("membranes are present")
+      : near ? string("surfaces are present")
       : string("nothing is near")
     );
     gaps_.setActive(effects_.active("lubrication"));

@@ -115,7 +115,7 @@ void warnOfCoarseMesh(const clumpSuspension& cloud, const fvMesh& mesh)
     for (const clumpType& type : cloud.types())
     {
         const scalar r = min(type.radii());
-        if (!type.fixed() && !type.hasSurface() && r < 0.999*largest)
+        if (!type.fixed() && type.ofSpheres() && r < 0.999*largest)
         {
             IOWarningInFunction(getDict(cloud.properties(), "types"))
                 << "The mesh has less than two mesh cells across the smallest sphere of"
@@ -127,21 +127,21 @@ void warnOfCoarseMesh(const clumpSuspension& cloud, const fvMesh& mesh)
 }
 
 
-//- Fatal where a sphere or membrane that moves is wider than the mesh, so that the lengths
+//- Fatal where a sphere or surface that moves is wider than the mesh, so that the lengths
 //  must be in other units than metres
 void refuseWide(const clumpSuspension& cloud, const fvMesh& mesh)
 {
     const scalar span = mesh.bounds().mag();
     for (const clumpType& type : cloud.types())
     {
-        const scalar width = 2*(type.hasSurface() ? type.reach() : max(type.radii()));
+        const scalar width = 2*(type.hasTriangles() ? type.reach() : max(type.radii()));
         if (!type.fixed() && width > span)
         {
             OStringStream os;
             os.precision(3);
             os  << "Clump type " << type.name() << " is " << width/span
                 << " times wider than the mesh: "
-                << (type.hasSurface() ? "its surface" : "a sphere of it") << " is "
+                << (type.hasTriangles() ? "its surface" : "a sphere of it") << " is "
                 << width << " m wide, and the diagonal of the mesh is " << span
                 << " m long. All units are SI: check the lengths of the entry 'shape' and"
                 << " the scale of the mesh.";
@@ -244,12 +244,6 @@ Foam::scalar Foam::contactStress
             << "    wallContactModel { $contactModel; }" << exit(FatalIOError);
     }
     return stress;
-}
-
-
-Foam::scalar Foam::stressOfShear(const membraneMechanics& membrane)
-{
-    return membrane.shearStiffness()/membrane.surface().volume(membrane.stressFree());
 }
 
 

@@ -270,7 +270,7 @@ void Foam::clumpFields::readTypes
         p.pieceOf_ = pieces.size() ? pieces[i] : -1;
         p.state_ = clumpState(type);
         p.state_.broken.setSize(type.pairs().size(), 0);
-        if (type.hasSurface())
+        if (!type.ofSpheres())
         {
             p.state_.nodeForces.setSize(type.size(), Zero);
             p.state_.nodeForceRates.setSize(type.size(), Zero);

@@ -32,7 +32,7 @@ void Foam::clumpImage::set
     contraction = 0;
     slack = 0;
     box = boundBox::invertedBox;
-    const bool deforms = type.hasSurface() && span > 0;
+    const bool deforms = span > 0;
     const vector velocity(deforms ? s.velocity(type) : vector::zero);
     forAll(x, i)
     {

@@ -97,6 +97,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     part_(1)
 {
     const auto geometry(clumpShapes::shape::New(getDict(dict, "shape")));
+    kind_ = geometry->kind();
     const scalar scale = getPositiveOrDefault(dict, "scale", 1);
     centres_ = scale*geometry->centres();
     radii_ = scale*geometry->radii();
@@ -108,7 +109,19 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
             new closedSurface(centres_, geometry->triangles(), dict)
         );
     }
-    check(dict);
+    if (ofSpheres())
+    {
+        // The last four are those of clumpBonds
+        checkEntries
+        (
+            dict,
+            {
+                "shape", "density", "massModel", "mass", "inertia", "motion",
+                "nominalVolume", "scale", "classOf", "share", "bondModel",
+                "dampingModel", "conservationModel", "conservationModels"
+            }
+        );
+    }
 
     const word motion(dict.getOrDefault<word>("motion", "free"));
     if (motion != "free" && motion != "fixed")
@@ -121,7 +134,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     }
     fixed_ = motion == "fixed";
 
-    if (hasSurface())
+    if (hasTriangles())
     {
         setSurfaceMasses(getPositive(dict, "density"));
         viscosityRatio_ = getBetweenOrDefault(dict, "viscosityRatio", 1, 0.01, 100);
@@ -139,7 +152,7 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
       ? getPositive(dict, "nominalVolume") : volume_;
 
     reach_ = max(mag(centres_) + radii_);
-    if (!hasSurface())
+    if (ofSpheres())
     {
         setTransitions();
     }
@@ -156,6 +169,7 @@ Foam::clumpType::clumpType
     name_(whole.name_ + '.' + ranges(spheres)),
     family_(whole.family_),
     share_(0),
+    kind_(whole.kind_),
     centres_(whole.centres_, spheres),
     radii_(whole.radii_, spheres),
     gyration_(whole.gyration_),
@@ -206,61 +220,6 @@ Foam::labelList Foam::clumpType::bondsOf(const clumpType& whole) const
         }
     }
     return labelList(result);
-}
-
-
-void Foam::clumpType::check(const dictionary& dict) const
-{
-    if (!hasSurface())
-    {
-        // The last four are those of clumpBonds
-        checkEntries
-        (
-            dict,
-            {
-                "shape", "density", "massModel", "mass", "inertia", "motion",
-                "nominalVolume", "scale", "classOf", "share", "bondModel",
-                "dampingModel", "conservationModel", "conservationModels"
-            }
-        );
-        return;
-    }
-
-    for
-    (
-        const word key :
-        {
-            "bondModel", "dampingModel", "conservationModel",
-            "conservationModels", "massModel", "mass", "inertia"
-        }
-    )
-    {
-        if (dict.found(key))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << key << "': the shape of the type is a surface, whose"
-                << " nodes are held together by the entry 'membrane' around a fluid of"
-                << " the entry 'density'."
-                << exit(FatalIOError);
-        }
-    }
-
-    // The last two are those of membraneMechanics and surfaceImmersion
-    checkEntries
-    (
-        dict,
-        {
-            "shape", "density", "motion", "nominalVolume", "scale", "classOf",
-            "share", "viscosityRatio", "membrane", "kernel"
-        }
-    );
-
-    if (dict.getOrDefault<word>("motion", "free") == "fixed")
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'motion': a membrane moves with the fluid and cannot be fixed."
-            << exit(FatalIOError);
-    }
 }
 
 
@@ -429,7 +388,7 @@ Foam::scalar Foam::clumpType::relativeVolume(const pointField& x) const
     {
         return 1;
     }
-    if (hasSurface())
+    if (hasTriangles())
     {
         return surface_->volume(x)/volume_;
     }

@@ -79,9 +79,9 @@ void Foam::clumpContacts::refuseOverlaps
         {
             const clumpType& ta = types_[images[a].typeId];
             const clumpType& tb = types_[images[b].typeId];
-            if (ta.hasSurface() || tb.hasSurface())
+            if (!ta.ofSpheres() || !tb.ofSpheres())
             {
-                // See membraneContacts
+                // Their kinds have contacts of their own
                 return;
             }
             if

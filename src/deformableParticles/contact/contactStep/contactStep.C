@@ -106,7 +106,7 @@ bool Foam::contactStep::incomplete() const
 Foam::scalar Foam::contactStep::deviation(const label a) const
 {
     scalar result = 0;
-    if (!type(a).fixed() && !type(a).hasSurface())
+    if (!type(a).fixed() && type(a).ofSpheres())
     {
         const clumpState& start = clumps_[a].state();
         const clumpState& end = clumps_[a].step().end;

@@ -267,7 +267,7 @@ Foam::vector2D Foam::contactStep::toNext
         const clumpParcel& p = clumps_[a];
         u[a] = inPart_ ? p.step().end.u : p.state().u;
         accelerations[a] = vectorField(2, Zero);
-        if (type(a).fixed() || type(a).hasSurface())
+        if (type(a).fixed() || !type(a).ofSpheres())
         {
             u[a] = Zero;
             continue;

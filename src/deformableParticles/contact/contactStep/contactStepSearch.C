@@ -138,7 +138,7 @@ void Foam::contactStep::findWalls(const label a)
     // Around all places that the clump may reach in the step
     const clumpParcel& p = clumps_[a];
     wallsNear_[a].clear();
-    if (type(a).fixed() || type(a).hasSurface())
+    if (type(a).fixed() || !type(a).ofSpheres())
     {
         return;
     }
@@ -337,7 +337,7 @@ void Foam::contactStep::findPairs()
         {
             const clumpImage& A = images[a];
             const clumpImage& B = images[b];
-            if (types_[A.typeId].hasSurface() || types_[B.typeId].hasSurface())
+            if (!types_[A.typeId].ofSpheres() || !types_[B.typeId].ofSpheres())
             {
                 return;
             }

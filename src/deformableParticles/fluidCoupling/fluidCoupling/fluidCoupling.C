@@ -81,22 +81,6 @@ Foam::fluidCoupling::fluidCoupling
     {
         boundary_->followInSeveralSteps();
     }
-    if (surfaceImmersion::wanted(types))
-    {
-        if (!scheme_->damps())
-        {
-            FatalIOErrorInFunction(getDict(clumpProperties, "couplingScheme"))
-                << "Entry 'type': a membrane is coupled implicitly. Valid here: robin"
-                << exit(FatalIOError);
-        }
-        surfaces_.reset
-        (
-            new surfaceImmersion
-            (
-                mesh, types, getDict(clumpProperties, "types"), rho_
-            )
-        );
-    }
 }
 
 
@@ -139,39 +123,13 @@ void Foam::fluidCoupling::readFluid(const dictionary& clumpProperties)
 }
 
 
-Foam::tmp<Foam::fvVectorMatrix> Foam::fluidCoupling::forcing
-(
-    const volVectorField& U
-) const
-{
-    tmp<fvVectorMatrix> result(boundary_->forcing(U));
-    if (surfaces_.valid())
-    {
-        result.ref() +=
-            surfaces_->force()/dimensionedScalar("rho", dimDensity, rho_);
-    }
-    return result;
-}
-
-
-Foam::vector Foam::fluidCoupling::forceOnFluid(const volVectorField& U) const
-{
-    vector result(boundary_->forceOnFluid(U, rho_));
-    if (surfaces_.valid())
-    {
-        result += gSum(mesh_.V()*surfaces_->force().primitiveField());
-    }
-    return result;
-}
-
-
 void Foam::fluidCoupling::setRotation
 (
     clumpImage& image,
     const clumpState& s
 ) const
 {
-    if (rotation_.valid() && !types_[image.typeId].hasSurface())
+    if (rotation_.valid() && types_[image.typeId].ofSpheres())
     {
         image.omega = rotation_->angularVelocities(types_[image.typeId], s);
     }
@@ -283,7 +241,7 @@ Foam::vectorField Foam::fluidCoupling::inertia
     if
     (
         !twoWay() || !boundary_->addsInteriorInertia()
-     || types_[p.typeId()].hasSurface()
+     || !types_[p.typeId()].ofSpheres()
     )
     {
         return vectorField(s.u.size(), Zero);
@@ -306,7 +264,7 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
     if
     (
         twoWay() && boundary_->addsInteriorInertia()
-     && !types_[p.typeId()].hasSurface()
+     && types_[p.typeId()].ofSpheres()
     )
     {
         result +=
@@ -384,7 +342,7 @@ bool Foam::fluidCoupling::turn
 {
     const clumpType& type = types_[p.typeId()];
     const clumpState& s = p.state();
-    if (type.hasSurface())
+    if (!type.ofSpheres())
     {
         if (extrapolate)
         {
@@ -418,7 +376,7 @@ bool Foam::fluidCoupling::adapt
     const bool repeated
 ) const
 {
-    if (types_[p.typeId()].hasSurface())
+    if (!types_[p.typeId()].ofSpheres())
     {
         return false;
     }

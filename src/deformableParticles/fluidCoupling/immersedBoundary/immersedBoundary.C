@@ -119,7 +119,7 @@ void Foam::immersedBoundary::checkResolution
 {
     for (const clumpImage& image : images)
     {
-        if (types_[image.typeId].hasSurface())
+        if (!types_[image.typeId].ofSpheres())
         {
             continue;
         }
@@ -278,7 +278,7 @@ void Foam::immersedBoundary::update
 
     forAll(images, a)
     {
-        if (types_[images[a].typeId].hasSurface())
+        if (!types_[images[a].typeId].ofSpheres())
         {
             covered_[a].clear(images[a].typeId);
             continue;

@@ -28,7 +28,7 @@ Foam::surfaceImmersion::surfaceImmersion
     {
         kernels_.append
         (
-            type.hasSurface()
+            type.hasTriangles()
           ? new surfaceKernel(getDict(dict, type.name()))
           : new surfaceKernel(surfaceKernel::form::hat)
         );
@@ -41,19 +41,6 @@ Foam::surfaceImmersion::surfaceImmersion
             new membraneInterior(mesh, types, kernels_, geometry_, widths_, *factor)
         );
     }
-}
-
-
-bool Foam::surfaceImmersion::wanted(const PtrList<clumpType>& types)
-{
-    for (const clumpType& type : types)
-    {
-        if (type.hasSurface())
-        {
-            return true;
-        }
-    }
-    return false;
 }
 
 
@@ -132,7 +119,7 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
     {
         clumpImage& image = images[a];
         meetings_[a].clear();
-        const bool surface = types_[image.typeId].hasSurface();
+        const bool surface = types_[image.typeId].hasTriangles();
         image.moments.reset(surface ? image.x.size() : 0);
         if (!surface)
         {

@@ -27,7 +27,7 @@ Foam::interiorFluids::interiorFluids
     bool density = false;
     forAll(types, i)
     {
-        if (!types[i].hasSurface())
+        if (!types[i].hasTriangles())
         {
             continue;
         }
@@ -82,7 +82,7 @@ Foam::DynamicList<Foam::interiorFluids::part> Foam::interiorFluids::partsOf
     const clumpType& type = types_[image.typeId];
     if
     (
-        !type.hasSurface()
+        !type.hasTriangles()
      || (type.viscosityRatio() == 1 && densities_[image.typeId] == 1)
     )
     {

@@ -3,70 +3,153 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "cloudMembranes.H"
+#include "membranes.H"
+#include "addToRunTimeSelectionTable.H"
 #include "buckledPart.H"
+#include "checkedEntries.H"
 #include "foamCompat.H"
-#include "sceneScales.H"
+#include "surfaceSpacing.H"
 
 namespace
 {
     //- Part of the surface above which a membrane counts as buckled
     constexpr Foam::scalar buckles = 0.02;
+
+    //- Second derivative of the energy of a membrane by the logarithmic strain of a pure
+    //  shear across x, y or z, their mean over its volume [Pa]
+    Foam::scalar stressOfShear(const Foam::membraneMechanics& m)
+    {
+        return m.shearStiffness()/m.surface().volume(m.stressFree());
+    }
+
+    struct addEntries
+    {
+        addEntries() { Foam::clumpKind::entries().append("membraneContact"); }
+    };
+    const addEntries added;
 }
 
 
-Foam::cloudMembranes::cloudMembranes
-(
-    const fvMesh& mesh,
-    const PtrList<clumpType>& types,
-    const dictionary& clumpProperties
-)
+namespace Foam
+{
+    defineTypeNameAndDebug(membranes, 0);
+    addToRunTimeSelectionTable(clumpKind, membranes, cloud);
+}
+
+
+Foam::membranes::membranes(const clumpKind::site& s)
 :
-    mesh_(mesh),
-    types_(types),
-    contacts_(types, clumpProperties)
+    mesh_(s.mesh),
+    types_(s.types),
+    clumpProperties_(s.clumpProperties),
+    contacts_(s.types, s.clumpProperties)
 {}
 
 
-void Foam::cloudMembranes::read(const label typei, const dictionary& dict)
+void Foam::membranes::read(const label typei, const dictionary& dict)
 {
-    steps_.setSize(types_.size());
-    if (types_[typei].hasSurface())
-    {
-        steps_.set(typei, new membraneStep(types_[typei], dict, contacts_));
-        unchecked_.insert(typei);
-        if (!mechanics(typei).bends())
+    for
+    (
+        const word key :
         {
-            unbent_.insert(typei);
+            "bondModel", "dampingModel", "conservationModel",
+            "conservationModels", "massModel", "mass", "inertia"
         }
+    )
+    {
+        if (dict.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << key << "': the shape of the type is a surface, whose"
+                << " nodes are held together by the entry 'membrane' around a fluid of"
+                << " the entry 'density'."
+                << exit(FatalIOError);
+        }
+    }
+
+    // The last two are those of membraneMechanics and surfaceImmersion
+    checkEntries
+    (
+        dict,
+        {
+            "shape", "density", "motion", "nominalVolume", "scale", "classOf",
+            "share", "viscosityRatio", "membrane", "kernel"
+        }
+    );
+    if (types_[typei].fixed())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'motion': a membrane moves with the fluid and cannot be fixed."
+            << exit(FatalIOError);
+    }
+    steps_.setSize(types_.size());
+    steps_.set(typei, new membraneStep(types_[typei], dict, contacts_));
+    unchecked_.insert(typei);
+    if (!steps_[typei].mechanics().bends())
+    {
+        unbent_.insert(typei);
     }
 }
 
 
-void Foam::cloudMembranes::setContactStress(scalar stress, string reason)
+void Foam::membranes::check(const scene& s) const
+{
+    if (!s.coupled)
+    {
+        FatalIOErrorInFunction(getDict(clumpProperties_, "types"))
+            << "Entry 'types': a membrane has no inertia of its own and needs a fluid"
+            << " that feels it; without a fluid, or with feedback off or a frozen"
+            << " flow, there are only clumps of spheres." << exit(FatalIOError);
+    }
+    if (!s.damps)
+    {
+        FatalIOErrorInFunction(getDict(clumpProperties_, "couplingScheme"))
+            << "Entry 'type': a membrane is coupled implicitly. Valid here: robin"
+            << exit(FatalIOError);
+    }
+    if (!s.implicit)
+    {
+        FatalIOErrorInFunction(getDict(clumpProperties_, "integrator"))
+            << "Entry 'type': a membrane is advanced implicitly. Valid here:"
+            << " implicitEuler" << exit(FatalIOError);
+    }
+    if (s.clumpsMayTouch)
+    {
+        contacts_.refuseSmallSpheres(getDict(clumpProperties_, "types"));
+    }
+}
+
+
+void Foam::membranes::immerseIn(const scalar rho)
+{
+    surfaces_.reset
+    (
+        new surfaceImmersion(mesh_, types_, getDict(clumpProperties_, "types"), rho)
+    );
+}
+
+
+void Foam::membranes::setContactStress(const scalar ofScene, const string& reason)
 {
     scalar ofShear = 0;
-    forAll(types_, i)
+    forAll(steps_, i)
     {
-        if (types_[i].hasSurface())
+        if (steps_.set(i))
         {
-            ofShear = max(ofShear, stressOfShear(mechanics(i)));
+            ofShear = max(ofShear, stressOfShear(steps_[i].mechanics()));
         }
     }
 
     // Stiffer contacts would be of no use: the membranes deform instead
-    if (ofShear > 0 && ofShear < stress)
-    {
-        stress = ofShear;
-        reason = "that of the stiffest membrane in shear";
-    }
+    const bool soft = ofShear > 0 && ofShear < ofScene;
+    const scalar stress = soft ? ofShear : ofScene;
     contacts_.setStress(min(stress, largestEntry));
     Info<< "membraneContact: " << stress << " Pa where surfaces touch, "
-        << reason.c_str() << endl;
+        << (soft ? "that of the stiffest membrane in shear" : reason.c_str()) << endl;
 }
 
 
-void Foam::cloudMembranes::beginContacts
+void Foam::membranes::beginContacts
 (
     const Cloud<clumpParcel>& clumps,
     const ghostExchange& ghosts,
@@ -77,7 +160,7 @@ void Foam::cloudMembranes::beginContacts
     contacts_.begin
     (
         ghosts,
-        membraneContacts::narrowest(clumps, types_),
+        surfaceSpacing::narrowest(clumps, types_),
         mesh_.time().deltaTValue(),
         meshVelocity,
         mu
@@ -85,15 +168,14 @@ void Foam::cloudMembranes::beginContacts
 }
 
 
-void Foam::cloudMembranes::immerse
+void Foam::membranes::immerse
 (
     Cloud<clumpParcel>& clumps,
     ghostExchange& ghosts,
-    surfaceImmersion& surfaces,
     const scalar mu
 )
 {
-    surfaces.update(ghosts);
+    surfaces_->update(ghosts);
     label index = 0;
     for (clumpParcel& p : clumps)
     {
@@ -102,10 +184,10 @@ void Foam::cloudMembranes::immerse
         {
             const label typei = p.typeId();
             steps_[typei].meet(p, image.x);
-            nodeFlow& nodes = p.step().nodes;
-            const surfaceKernel& kernel = surfaces.kernel(typei);
+            nodeFlow& nodes = nodesOf(p);
+            const surfaceKernel& kernel = surfaces_->kernel(typei);
             const scalar ratio = types_[typei].viscosityRatio();
-            const scalarField widths(surfaces.widths(image, nodes.areaVectors));
+            const scalarField widths(surfaces_->widths(image, nodes.areaVectors));
             nodes.smoothing = widths;
             forAll(widths, i)
             {
@@ -120,7 +202,7 @@ void Foam::cloudMembranes::immerse
     }
     if (unchecked_.size())
     {
-        warnOfLeaks(clumps, ghosts, surfaces);
+        warnOfLeaks(clumps, ghosts);
     }
     if (unbent_.size())
     {
@@ -129,11 +211,10 @@ void Foam::cloudMembranes::immerse
 }
 
 
-void Foam::cloudMembranes::warnOfLeaks
+void Foam::membranes::warnOfLeaks
 (
     const Cloud<clumpParcel>& clumps,
-    const ghostExchange& ghosts,
-    const surfaceImmersion& surfaces
+    const ghostExchange& ghosts
 )
 {
     scalarList apart(types_.size(), Zero);
@@ -146,7 +227,7 @@ void Foam::cloudMembranes::warnOfLeaks
         {
             const closedSurface& surface = types_[typei].surface();
             const scalar h =
-                average(surfaces.widths(image, surface.areaVectors(image.x)));
+                average(surfaces_->widths(image, surface.areaVectors(image.x)));
             apart[typei] =
                 max(apart[typei], surface.edgeLength(image.x)/max(h, VSMALL));
         }
@@ -154,7 +235,7 @@ void Foam::cloudMembranes::warnOfLeaks
     reduceList(apart, maxEqOp<scalar>());
     forAll(apart, typei)
     {
-        const scalar allowed = min(surfaces.kernel(typei).support(), scalar(1.5));
+        const scalar allowed = min(surfaces_->kernel(typei).support(), scalar(1.5));
         if (apart[typei] > 0)
         {
             unchecked_.erase(typei);
@@ -172,7 +253,7 @@ void Foam::cloudMembranes::warnOfLeaks
 }
 
 
-void Foam::cloudMembranes::warnOfBuckling(const Cloud<clumpParcel>& clumps)
+void Foam::membranes::warnOfBuckling(const Cloud<clumpParcel>& clumps)
 {
     scalarList parts(types_.size(), Zero);
     for (const clumpParcel& p : clumps)
@@ -201,7 +282,7 @@ void Foam::cloudMembranes::warnOfBuckling(const Cloud<clumpParcel>& clumps)
 
         // Against a compression of a fifth of the shear modulus, in waves of six edges
         const scalar enough =
-            0.1*mechanics(typei).shearStiffness()/type.surface().nNodes();
+            0.1*steps_[typei].mechanics().shearStiffness()/type.surface().nNodes();
         WarningInFunction
             << "A membrane of '" << type.name() << "' is buckled in waves as short as"
             << " its triangles, over " << 100*parts[typei] << " % of its surface at"
@@ -213,11 +294,10 @@ void Foam::cloudMembranes::warnOfBuckling(const Cloud<clumpParcel>& clumps)
 }
 
 
-void Foam::cloudMembranes::impose
+void Foam::membranes::impose
 (
     Cloud<clumpParcel>& clumps,
     ghostExchange& ghosts,
-    surfaceImmersion& surfaces,
     const bool clumpsTouch,
     const wallSurface* walls
 )
@@ -233,53 +313,51 @@ void Foam::cloudMembranes::impose
             (
                 p, mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
             );
-            image.force = p.step().nodes.force;
+            image.force = nodesOf(p).force;
         }
     }
-    surfaces.spread(ghosts);
+    surfaces_->spread(ghosts);
 }
 
 
-void Foam::cloudMembranes::sample
+void Foam::membranes::sample
 (
     const volVectorField& U,
     Cloud<clumpParcel>& clumps,
     ghostExchange& ghosts,
-    surfaceImmersion& surfaces,
     const scalar mu
 ) const
 {
-    surfaces.sample(U, ghosts);
+    surfaces_->sample(U, ghosts);
     label index = 0;
     for (clumpParcel& p : clumps)
     {
         const clumpImage& image = ghosts.images()[index++];
         if (isOne(p))
         {
-            nodeFlow& nodes = p.step().nodes;
+            nodeFlow& nodes = nodesOf(p);
             nodes.u = nodes.withoutFlux(image.sampled);
         }
     }
     if (mu > 0)
     {
-        sharpen(U, clumps, ghosts, surfaces, mu);
+        sharpen(U, clumps, ghosts, mu);
     }
 }
 
 
-void Foam::cloudMembranes::sharpen
+void Foam::membranes::sharpen
 (
     const volVectorField& U,
     Cloud<clumpParcel>& clumps,
     ghostExchange& ghosts,
-    const surfaceImmersion& surfaces,
     const scalar mu
 ) const
 {
-    const bool other = surfaces.interior();
+    const bool other = surfaces_->interior();
     if (other)
     {
-        surfaces.sampleShear(U, ghosts, mu);
+        surfaces_->sampleShear(U, ghosts, mu);
     }
     label index = 0;
     for (clumpParcel& p : clumps)
@@ -289,7 +367,7 @@ void Foam::cloudMembranes::sharpen
         {
             continue;
         }
-        nodeFlow& nodes = p.step().nodes;
+        nodeFlow& nodes = nodesOf(p);
         const clumpType& type = types_[p.typeId()];
         const scalar ratio = type.viscosityRatio();
         const vectorField n(nodes.areaVectors/mag(nodes.areaVectors));
@@ -298,8 +376,8 @@ void Foam::cloudMembranes::sharpen
         {
             // The part of the force follows in membraneStep
             kink = (1 - 1/ratio)*image.sampled;
-            const surfaceKernel& kernel = surfaces.kernel(p.typeId());
-            const scalarField widths(surfaces.widths(image, nodes.areaVectors));
+            const surfaceKernel& kernel = surfaces_->kernel(p.typeId());
+            const scalarField widths(surfaces_->widths(image, nodes.areaVectors));
             forAll(n, i)
             {
                 nodes.u[i] -= kernel.overlap(n[i])*widths[i]*kink[i];
@@ -308,16 +386,25 @@ void Foam::cloudMembranes::sharpen
         const vectorField& F = nodes.force;
         kink -= 0.5*(1 + 1/ratio)/mu*(F - n*(n & F))/nodes.areas;
         nodes.u +=
-            ratio/(3 + 2*ratio)*surfaces.variances(image, nodes.areaVectors)
+            ratio/(3 + 2*ratio)*surfaces_->variances(image, nodes.areaVectors)
            *type.surface().divergence(image.x, kink)*n;
     }
 }
 
 
-void Foam::cloudMembranes::advance(clumpParcel& p, const scalar mu) const
+void Foam::membranes::advance(clumpParcel& p, const scalar mu) const
 {
     steps_[p.typeId()].advance
     (
         p, mu, mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
+    );
+}
+
+
+Foam::vectorField Foam::membranes::acceleration(const clumpParcel& p) const
+{
+    return membraneStep::acceleration
+    (
+        p, mesh_.time().deltaTValue(), mesh_.time().deltaT0Value()
     );
 }

@@ -42,12 +42,12 @@ Foam::surfaceCrossing::surfaceCrossing
                 image.x[i], size,
                 [&](const scalar height, const vector& away)
                 {
-                    // A node of a membrane is outside as soon as it crosses
+                    // A node of a surface is outside as soon as it crosses
                     const scalar depth =
-                        type.hasSurface()
+                        type.hasTriangles()
                       ? (height < 0 ? 1 - height/r : scalar(0)) : (r - height)/r;
                     crosses = crosses || (depth > tolerance && !type.fixed());
-                    if (depth > tolerance && !type.fixed() && !type.hasSurface())
+                    if (depth > tolerance && !type.fixed() && type.ofSpheres())
                     {
                         findOpposite
                         (

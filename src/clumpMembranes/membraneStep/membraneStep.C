@@ -52,7 +52,7 @@ Foam::membraneStep::membraneStep
 
 void Foam::membraneStep::meet(clumpParcel& p, const pointField& x) const
 {
-    nodeFlow& flow = p.step().nodes;
+    nodeFlow& flow = nodesOf(p);
     flow.areaVectors = surface().areaVectors(x);
     flow.areas = surface().nodeAreas(x);
 }
@@ -83,7 +83,7 @@ Foam::membraneModel::motion Foam::membraneStep::startOf
     {
         p.state().x + parts.first()*dt*p.state().u,
         parts.second()*dt,
-        p.step().nodes.layer
+        nodesOf(p).layer
     };
 }
 
@@ -106,7 +106,8 @@ void Foam::membraneStep::impose
     const scalar dt0
 ) const
 {
-    clumpStep& step = p.step();
+    const clumpStep& step = p.step();
+    nodeFlow& nodes = nodesOf(p);
     const clumpState& s = p.state();
     vectorField F(s.nodeForces);
     if (step.guessed || F.empty())
@@ -116,14 +117,14 @@ void Foam::membraneStep::impose
         F =
             mechanics_.forces(s.x + dx, &start)
           + step.forces.f - (step.forces.k & dx);
-        contacts_.addForces(step.nodes.contacts, F);
+        contacts_.addForces(nodes.contacts, F);
     }
     else if (s.nodeForceRates.size())
     {
         F += dt*s.nodeForceRates;
     }
-    step.nodes.force = step.nodes.withoutFlux(F);
-    p.fluidForces() = -step.nodes.force;
+    nodes.force = nodes.withoutFlux(F);
+    p.fluidForces() = -nodes.force;
 }
 
 
@@ -255,7 +256,7 @@ void Foam::membraneStep::advance
 ) const
 {
     const clumpType& type = mechanics_.type();
-    nodeFlow& flow = p.step().nodes;
+    nodeFlow& flow = nodesOf(p);
     const clumpState& s = p.state();
     clumpState& end = p.step().end;
 
@@ -296,10 +297,10 @@ void Foam::membraneStep::advance
     {
         y = s.x;
     }
-    std::shared_ptr<membraneFactors>& factors = p.step().factors;
-    if (!factors)
+    autoPtr<membraneFactors>& factors = flow.factors;
+    if (!factors.valid())
     {
-        factors = std::make_shared<membraneFactors>(minimiser_.tangent());
+        factors.reset(new membraneFactors(minimiser_.tangent()));
     }
     if (!p.step().guessed)
     {
@@ -312,7 +313,7 @@ void Foam::membraneStep::advance
     {
         return value(step, x, gradient, tangent);
     };
-    flow.solved = minimiser_.minimise(potential, *factors, y, 1e-2, most);
+    p.step().solved = minimiser_.minimise(potential, *factors, y, 1e-2, most);
 
     vectorField F(flow.force);
     addResistance(step, y - step.target, F, nullptr);

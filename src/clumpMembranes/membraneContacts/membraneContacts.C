@@ -7,6 +7,7 @@
 #include "checkedEntries.H"
 #include "foamCompat.H"
 #include "sphereGrid.H"
+#include "surfaceSpacing.H"
 
 namespace
 {
@@ -94,7 +95,7 @@ Foam::membraneContacts::membraneContacts
 )
 :
     types_(types),
-    cells_(getBetweenOrDefault(entriesOf(dict), "range", scalar(defaultRange), 0.05, 2)),
+    cells_(getBetweenOrDefault(entriesOf(dict), "range", scalar(surfaceSpacing::byDefault), 0.05, 2)),
     cutOff_(getBetweenOrDefault(entriesOf(dict), "filmCutOff", 2, 0.2, 5)),
     stress_(givenStress(entriesOf(dict))),
     range_(0),
@@ -103,30 +104,11 @@ Foam::membraneContacts::membraneContacts
 {}
 
 
-Foam::scalar Foam::membraneContacts::narrowest
-(
-    const Cloud<clumpParcel>& clumps,
-    const PtrList<clumpType>& types
-)
-{
-    const scalarField& V = clumps.pMesh().cellVolumes();
-    scalar width = GREAT;
-    for (const clumpParcel& p : clumps)
-    {
-        if (types[p.typeId()].hasSurface())
-        {
-            width = min(width, Foam::cbrt(V[p.cell()]));
-        }
-    }
-    return returnReduce(width, minOp<scalar>());
-}
-
-
 void Foam::membraneContacts::refuseSmallSpheres(const dictionary& types) const
 {
     for (const clumpType& membrane : types_)
     {
-        if (!membrane.hasSurface())
+        if (!membrane.hasTriangles())
         {
             continue;
         }
@@ -134,7 +116,7 @@ void Foam::membraneContacts::refuseSmallSpheres(const dictionary& types) const
             0.6*membrane.surface().edgeLength(membrane.centres());
         for (const clumpType& other : types_)
         {
-            if (!other.hasSurface() && min(other.radii()) < least)
+            if (!other.hasTriangles() && min(other.radii()) < least)
             {
                 FatalIOErrorInFunction(types)
                     << "Spheres of type " << other.name() << " have a radius of "
@@ -163,11 +145,11 @@ void Foam::membraneContacts::refuseOverlaps
             const clumpImage& A = images[a];
             const clumpImage& B = images[b];
             bool overlap = false;
-            if (!typeOf(A).hasSurface())
+            if (!typeOf(A).hasTriangles())
             {
                 return;
             }
-            if (typeOf(B).hasSurface())
+            if (typeOf(B).hasTriangles())
             {
                 const surfaceDistance distance(typeOf(B).surface(), B.x);
                 for (const auto& p : distance.nearest(A.x, typeOf(B).halfWidth()))
@@ -253,7 +235,7 @@ Foam::scalar Foam::membraneContacts::filmLimit() const
     scalar smallest = GREAT;
     for (const clumpType& type : types_)
     {
-        if (type.hasSurface())
+        if (type.hasTriangles())
         {
             smallest = min(smallest, type.halfWidth());
         }
@@ -294,7 +276,7 @@ Foam::tmp<Foam::pointField> Foam::membraneContacts::imposed
 {
     const clumpImage& image = ghosts.images()[a];
     const clumpType& type = typeOf(image);
-    if (type.hasSurface())
+    if (type.hasTriangles())
     {
         return image.x + dt_*(image.u - startU_[a]);
     }
@@ -535,8 +517,8 @@ void Foam::membraneContacts::find
     label n = 0;
     for (clumpParcel& p : clumps)
     {
-        p.step().nodes.contacts.clear();
-        p.step().ofMembranes = externalForces();
+        nodesOf(p).contacts.clear();
+        p.step().ofOtherKinds = externalForces();
         own.set(n++, &p);
     }
     if (range_ <= 0)
@@ -555,13 +537,13 @@ void Foam::membraneContacts::find
         {
             const clumpType& type = typeOf(images[a]);
             b.moved = scalar(!type.fixed())*dt_*images[a].u;
-            if (type.hasSurface())
+            if (type.hasTriangles())
             {
                 b.outwards = type.surface().areaVectors(b.x);
             }
         }
         b.box = boundBox(b.x, false);
-        if (typeOf(images[a]).hasSurface())
+        if (typeOf(images[a]).hasTriangles())
         {
             b.areas = typeOf(images[a]).surface().nodeAreas(images[a].x);
             if (a < ghosts.nOwn() && walls)
@@ -569,12 +551,12 @@ void Foam::membraneContacts::find
                 findWalls
                 (
                     a, typeOf(images[a]).halfWidth(), *walls,
-                    own[a].step().nodes.contacts
+                    nodesOf(own[a]).contacts
                 );
             }
             if (a < ghosts.nOwn() && betweenClumps)
             {
-                findSelf(ghosts, a, own[a].step().nodes.contacts);
+                findSelf(ghosts, a, nodesOf(own[a]).contacts);
             }
         }
     }
@@ -587,17 +569,17 @@ void Foam::membraneContacts::find
         images, ghosts.nOwn(), scalarField(ghosts.nOwn(), max(4*range_, reach())),
         [&](const label a, const label b)
         {
-            const bool membrane = typeOf(images[a]).hasSurface();
-            const bool other = typeOf(images[b]).hasSurface();
+            const bool membrane = typeOf(images[a]).hasTriangles();
+            const bool other = typeOf(images[b]).hasTriangles();
             if (membrane && other)
             {
-                findNodes(ghosts, a, b, true, own[a].step().nodes.contacts);
-                findNodes(ghosts, b, a, false, own[a].step().nodes.contacts);
+                findNodes(ghosts, a, b, true, nodesOf(own[a]).contacts);
+                findNodes(ghosts, b, a, false, nodesOf(own[a]).contacts);
             }
             else if (membrane)
             {
                 DynamicList<label> unused;
-                findSpheres(ghosts, a, b, own[a].step().nodes.contacts, unused);
+                findSpheres(ghosts, a, b, nodesOf(own[a]).contacts, unused);
             }
             else if (other)
             {
@@ -619,7 +601,7 @@ void Foam::membraneContacts::addToSpheres
     DynamicList<nodeContact> contacts;
     DynamicList<label> nearest;
     findSpheres(ghosts, membrane, spheres, contacts, nearest);
-    externalForces& ext = p.step().ofMembranes;
+    externalForces& ext = p.step().ofOtherKinds;
     if (contacts.size() && ext.f.empty())
     {
         ext = externalForces(p.state().x.size());

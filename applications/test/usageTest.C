@@ -109,6 +109,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     mkDir(surface.path());
     ellipsoid(vector(3, 1.5, 1)).write(surface);
     run<clumpShapes::shape>("clump/shapes");
+    run<clumpShapes::shape>("../clumpMembranes/shapes");
     rmDir(surface.path());
     run<bondModel>("bondMechanics/bondModels");
     run<dampingModel>("bondMechanics/dampingModels");

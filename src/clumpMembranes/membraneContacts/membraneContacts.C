@@ -95,7 +95,13 @@ Foam::membraneContacts::membraneContacts
 )
 :
     types_(types),
-    cells_(getBetweenOrDefault(entriesOf(dict), "range", scalar(surfaceSpacing::byDefault), 0.05, 2)),
+    cells_
+    (
+        getBetweenOrDefault
+        (
+            entriesOf(dict), "range", scalar(surfaceSpacing::byDefault), 0.05, 2
+        )
+    ),
     cutOff_(getBetweenOrDefault(entriesOf(dict), "filmCutOff", 2, 0.2, 5)),
     stress_(givenStress(entriesOf(dict))),
     range_(0),

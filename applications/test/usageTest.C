@@ -108,11 +108,11 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     const fileName surface(getEnv("FOAM_CASE")/"constant"/"triSurface"/"cell.stl");
     mkDir(surface.path());
     ellipsoid(vector(3, 1.5, 1)).write(surface);
-    run<clumpShapes::shape>("clump/shapes");
+    run<clumpShapes::shape>("../clumpSpheres/shapes");
     run<clumpShapes::shape>("../clumpMembranes/shapes");
     rmDir(surface.path());
-    run<bondModel>("bondMechanics/bondModels");
-    run<dampingModel>("bondMechanics/dampingModels");
+    run<bondModel>("../clumpSpheres/bondModels");
+    run<dampingModel>("../clumpSpheres/dampingModels");
     run<integrator>("integrators");
     run<integrator>("../paperModels/integrators");
     run<contactModel>("contact/contactModels");
@@ -137,7 +137,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     }
     run<conservationModel>
     (
-        "bondMechanics/conservationModels", corners, scalarField(corners.size(), 1e-6)
+        "../clumpSpheres/conservationModels", corners, scalarField(corners.size(), 1e-6)
     );
 
     const autoPtr<polyMesh> mesh(openBox());

@@ -91,7 +91,7 @@ bool Foam::clumpSuspension::transfer()
     const timeBreakdown::timer t(timing_, "clumps");
     if (coupled())
     {
-        coupling_->report(*this, nClumps());
+        couplingCoefficient::report(*this, nClumps());
     }
     breakage_.divide(*this, *source_, count_);
     removeLeaving();

@@ -7,39 +7,6 @@
 #include "bondFrame.H"
 #include "IOdictionary.H"
 
-namespace
-{
-
-using namespace Foam;
-
-//- Coefficients of a scheme without the inertia of the fluid inside
-scalarField viscous
-(
-    const couplingScheme& scheme,
-    const clumpType& type,
-    const scalar mu,
-    const scalar rho,
-    const scalar dt
-)
-{
-    scalarField z, zR;
-    scheme.coefficients(type, mu, rho, dt, z, zR);
-    return z - rho*type.volumes()/dt;
-}
-
-
-//- Multiply coefficients z by a factor without their inertia
-void raise(scalarField& z, const scalarField& inertia, const scalar factor)
-{
-    if (factor > 1)
-    {
-        z = inertia + factor*(z - inertia);
-    }
-}
-
-}
-
-
 Foam::fluidCoupling::fluidCoupling
 (
     const fvMesh& mesh,
@@ -68,8 +35,6 @@ Foam::fluidCoupling::fluidCoupling
         rotation_ =
             selectModel<rotationModel>(getDict(clumpProperties, "rotation"));
     }
-    scheme_ =
-        selectModel<couplingScheme>(getDict(clumpProperties, "couplingScheme"));
     boundary_.reset
     (
         new immersedBoundary
@@ -77,7 +42,11 @@ Foam::fluidCoupling::fluidCoupling
             mesh, types, getDict(clumpProperties, "immersedBoundary")
         )
     );
-    if (!scheme_->damps())
+    coefficient_.reset
+    (
+        new couplingCoefficient(types, *boundary_, rho_, clumpProperties)
+    );
+    if (!damps())
     {
         boundary_->followInSeveralSteps();
     }
@@ -309,9 +278,7 @@ void Foam::fluidCoupling::addForces
 
     ext.t += p.fluidTorques();
     ext.imposedW = step.imposedW;
-    scheme_->coefficients(type, viscosity(p), rho_, dt, ext.zeta, ext.zetaR);
-    raise(ext.zeta, rho_/dt*type.volumes(), p.couplingFactor());
-    raise(ext.zetaR, rho_/dt*type.volumeInertias(), p.couplingFactor());
+    coefficient_->set(p, viscosity(p), dt, ext);
 
     if (boundary_->addsInteriorInertia())
     {
@@ -351,7 +318,7 @@ bool Foam::fluidCoupling::turn
         }
         return extrapolate;
     }
-    if (!scheme_->turns())
+    if (!coefficient_->scheme().turns())
     {
         return false;
     }
@@ -376,161 +343,7 @@ bool Foam::fluidCoupling::adapt
     const bool repeated
 ) const
 {
-    if (!types_[p.typeId()].ofSpheres())
-    {
-        return false;
-    }
-    clumpStep& step = p.step();
-    const vectorField& u = step.end.u;
-    const vectorField now(u - step.imposedU);
-    const vectorField& last = step.change;
-    const bool reverses = sum(now & last) < 0;
-    const bool counts = sum(magSqr(now)) > 1e-6*sum(magSqr(u));
-
-    const bool overshoots =
-        reverses && counts && sum(magSqr(now)) > sum(magSqr(last));
-
-    // A single one may be the change of an acceleration's sign, if small
-    p.overshoots() = overshoots ? step.overshootsBefore + 1 : 0;
-    const bool unstable =
-        p.overshoots() > 1
-     || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(u)));
-
-    scalar& factor = p.couplingFactor();
-    step.needsShorterStep =
-        unstable && !(scheme_->damps() && factor < maxFactor);
-    if (!scheme_->damps() || (repeated && !unstable))
-    {
-        return false;
-    }
-    bool sure = p.overshoots() > 1;
-    const scalar needed = neededRaise(p, dt, sure);
-    if (!repeated)
-    {
-        // What other clumps did in one corrector they seldom do in two
-        const scalar raise = counts ? min(needed, step.neededBefore) : 1;
-        step.neededBefore = needed/raise;
-        if (raise > 1)
-        {
-            return raiseFactor(p, raise);
-        }
-    }
-    if (unstable)
-    {
-        const bool persists = p.overshoots() > 4;
-        const scalar raise = max(needed, scalar(persists ? 2 : 1));
-        if (raise > 1 && (sure || !repeated))
-        {
-            return raiseFactor(p, sure ? raise : min(raise, 2.0)) && sure;
-        }
-    }
-    if (!reverses && !repeated)
-    {
-        factor = max(0.98*factor, 1.0);
-    }
-    return false;
-}
-
-
-bool Foam::fluidCoupling::raiseFactor(clumpParcel& p, const scalar raise)
-{
-    scalar& factor = p.couplingFactor();
-    if (factor >= maxFactor)
-    {
-        return false;
-    }
-    factor = min(raise*factor, maxFactor);
-    p.step().raised = true;
-    return true;
-}
-
-
-Foam::scalar Foam::fluidCoupling::neededRaise
-(
-    const clumpParcel& p,
-    const scalar dt,
-    bool& sure
-) const
-{
-    const clumpType& type = types_[p.typeId()];
-    const clumpStep& step = p.step();
-    const vectorField& d = step.imposedChange;
-    const scalarField dd(magSqr(d));
-    if (sum(dd) < 1e-6*sum(magSqr(step.end.u)))
-    {
-        return 1;
-    }
-
-    const scalarField z
-    (
-        p.couplingFactor()*viscous(*scheme_, type, viscosity(p), rho_, dt)
-    );
-    const scalar own = sum(type.masses()*dd)/dt;
-    const scalar inside = rho_*sum(type.volumes()*dd)/dt;
-    const scalar inertia = own + inside;
-    const scalar ofViscosity = max(sum(z*dd), VSMALL);
-    vectorField Gd(step.lastFluidForces - p.fluidForces());
-    if (boundary_->addsInteriorInertia())
-    {
-        Gd -= step.presence*rho_/dt*step.solidVolumes*d;
-    }
-    const scalar fluid = sum(Gd & d);
-
-    const scalar q = (own + fluid)/max(inertia + ofViscosity, VSMALL);
-
-    // The motion that a locked interior resists most is seldom d itself
-    const bool locked = !boundary_->dilates();
-    const scalar stiffest =
-        locked && fluid > 0
-      ? sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid
-      : q;
-    if (max(q, stiffest) <= 1.5)
-    {
-        return 1;
-    }
-    const vectorField now(step.end.u - step.imposedU);
-    const scalar growth = -sum(now & d)/max(sum(dd), VSMALL);
-    const bool explains = growth > 0.5*(q - 1) && growth < 2*(q - 1);
-    const bool moved = sum(magSqr(p.state().a)) > 0;
-    const bool asAWhole =
-        now.size()*magSqr(average(now)) > 0.5*sum(magSqr(now));
-    sure =
-        sure
-     || (
-            explains && moved && (asAWhole || locked)
-         && sum(dd) > 1e-4*sum(magSqr(step.end.u))
-        );
-
-    const scalar most = max(q, stiffest);
-
-    return min(most + (most - 1)*inertia/ofViscosity, maxRaise);
-}
-
-
-void Foam::fluidCoupling::report
-(
-    const Cloud<clumpParcel>& clumps,
-    const label nClumps
-) const
-{
-    label nRaised = 0;
-    scalar largest = 0;
-    for (const clumpParcel& p : clumps)
-    {
-        if (p.step().raised)
-        {
-            ++nRaised;
-            largest = max(largest, p.couplingFactor());
-        }
-    }
-    reduce(nRaised, sumOp<label>());
-    if (!nRaised)
-    {
-        return;
-    }
-    reduce(largest, maxOp<scalar>());
-
-    Info<< "Coupling coefficient raised for " << nRaised << " of " << nClumps
-        << " clumps, to at most " << largest << " times its value"
-        << (largest < maxFactor ? "" : ", which is the limit") << endl;
+    return
+        types_[p.typeId()].ofSpheres()
+     && coefficient_->adapt(p, viscosity(p), dt, repeated);
 }

@@ -6,6 +6,7 @@
 #include "cellGeometry.H"
 #include "volFields.H"
 #include "surfaceFields.H"
+#include "wallPolyPatch.H"
 
 Foam::cellGeometry::cellGeometry(const fvMesh& mesh)
 :
@@ -48,9 +49,20 @@ void Foam::cellGeometry::setCells()
         }
         largestReach_ = max(largestReach_, c.reach);
         c.firstLine = line;
+        c.atWall = false;
         line += mesh_.cells()[celli].size();
     }
     cells_.last().firstLine = line;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(patch))
+        {
+            for (const label celli : patch.faceCells())
+            {
+                cells_[celli].atWall = true;
+            }
+        }
+    }
     lines_.setSize(line);
 }
 

@@ -115,7 +115,7 @@ void Foam::coveredCells::addCell
     cells_.append
     (
         {
-            celli, surface.centreInside, surface.wallConductance,
+            celli, surface.centreInside, false, surface.wallConductance,
             d, c.x, c.volume, fraction, 0, 0, 0, Zero
         }
     );

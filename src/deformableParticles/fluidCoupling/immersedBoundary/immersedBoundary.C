@@ -88,6 +88,7 @@ void Foam::immersedBoundary::allocate()
 {
     const label n = mesh_.nCells();
     sumLambda_ = scalarField(n, Zero);
+    nForcing_ = labelList(n, Zero);
     sumShare_ = scalarField(n, Zero);
     sumFriction_ = scalarField(n, Zero);
     frictionVelocity_ = vectorField(n, Zero);
@@ -106,6 +107,7 @@ void Foam::immersedBoundary::clearCovered()
             strength_[celli] = 0;
             dilation_[celli] = 0;
             sumLambda_[celli] = 0;
+            nForcing_[celli] = 0;
             sumShare_[celli] = 0;
         }
     }
@@ -140,6 +142,20 @@ void Foam::immersedBoundary::addFractions(const coveredCells& c)
         scalar& sum = sumLambda_[cell.celli];
         sum += c.presence()*cell.lambda;
         solidFraction_[cell.celli] = min(sum, scalar(1));
+        nForcing_[cell.celli] += cell.forced();
+    }
+}
+
+
+void Foam::immersedBoundary::setSqueezed()
+{
+    for (coveredCells& c : covered_)
+    {
+        for (coveredCell& cell : c.cells())
+        {
+            cell.squeezed =
+                nForcing_[cell.celli] > 1 || geometry_[cell.celli].atWall;
+        }
     }
 }
 
@@ -290,6 +306,7 @@ void Foam::immersedBoundary::update
         );
         addFractions(covered_[a]);
     }
+    setSqueezed();
     setForcing(nu);
     setSolidVolumes(images);
     if (dilates_)

@@ -81,6 +81,7 @@ class Judge:
         self.count(case, force)
         self.volumes(shape)
         self.pulled(shape)
+        self.unturned(shape)
         self.momentum(case, force, shape)
 
     def log(self, case):
@@ -175,6 +176,16 @@ class Judge:
                 fastest = max(fastest, (row["L1"] - length)/(row["time"] - time))
             before[key] = row["time"], row["L1"]
         self.check("elongation over that of free spheres", fastest/(2*PULL/DRAG), 3)
+
+    def unturned(self, shape):
+        """Neither the fluid nor contact without friction turns a sphere where rotation is off"""
+        if self.row["rotation"] != "off" or self.row["contact"] == "rough":
+            return
+        bodies = dict(self.scene.types)
+        omega = column([row for row in shape if bodies.get(row["type"], "sphere") == "sphere"],
+                       "omegax", "omegay", "omegaz")
+        self.check("rotation of spheres over the driving speed over their radius",
+                   np.abs(omega).max(initial=0)*RADIUS/self.speed, 1e-12)
 
     def momentum(self, case, force, shape):
         """Of a periodic box: the impulse of the weights, to 0.1 % of that of all forces"""

@@ -21,6 +21,7 @@ KNOWN = [
 # Changes of the plainest row, of the first levels, that failed once
 FOUND = [
     {"rotation": "perSphere", "bodies": "fibre"},
+    {"rotation": "off", "density": "300"},
     {"contact": "lubricated", "bodies": "fibre", "conservation": "one"},
     {"outer": "1", "dilation": "no", "bodies": "ring"},
     {"mesh": "refined", "boundaries": "periodic", "disturbance": "restart"},

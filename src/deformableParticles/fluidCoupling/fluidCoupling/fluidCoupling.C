@@ -232,7 +232,7 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
     vectorField result(inertia(p, step.solidVolumes, dt));
     if
     (
-        twoWay() && boundary_->addsInteriorInertia()
+        rotates() && boundary_->addsInteriorInertia()
      && types_[p.typeId()].ofSpheres()
     )
     {
@@ -283,6 +283,9 @@ void Foam::fluidCoupling::addForces
     if (boundary_->addsInteriorInertia())
     {
         ext.f += interiorForces(p, dt);
+    }
+    if (rotates() && boundary_->addsInteriorInertia())
+    {
         const scalar dt0 = mesh_.time().deltaT0Value();
         rotation_->transpose
         (

@@ -18,9 +18,13 @@ RADIUS = 2e-6                           # of the spheres
 END = 2e-3                              # s, 20 steps of 1e-4 s, written four times
 SHIFT = (9.3, 5.1, 9.1)                 # um, of the bodies where the boundaries are periodic
 
+# Bodies that bounce fly in a thin gas, whose drag takes up less than 1 % of their speed in a step
+GAS = 0.2                              # kg/m3
+FLIGHT = 0.02                           # m/s, a radius in a step
+OFFSET = 0.5                            # um, of two spheres that meet
+
 EACH = "writeControl timeStep; writeInterval 1;"
 FIELD = 'libs ("libfieldFunctionObjects.so"); log no; writeFields no; ' + EACH
-DRAG = 6*pi*NU*RHO*RADIUS               # of a sphere [N s/m]
 
 
 class Scene:
@@ -33,6 +37,10 @@ class Scene:
         self.patches = {}               # of each side, x0 to z1: "wall", "cyclic" or "patch"
         self.shear = 0                  # x per y of the mesh
         self.density = float(row["density"])
+        self.rho = RHO                  # of the fluid
+        self.gravity = GRAVITY          # where it is on
+        self.pull = PULL
+        self.starts = []                # type and velocity with which each clump begins
         self.types = []
         self.common()
         for factor, levels in FEATURES.items():
@@ -40,6 +48,10 @@ class Scene:
 
     def add(self, name, text):
         self.files[name] = self.files.get(name, "") + text + "\n"
+
+    def drag(self):
+        """Of a sphere [N s/m]"""
+        return 6*pi*NU*self.rho*RADIUS
 
     def periodic(self, direction):
         return self.patches["xyz"[direction] + "0"] == "cyclic"
@@ -204,6 +216,8 @@ BODIES = {
              "enclosedArea; areaModulus 1e-3;"),
     "shell": ("type shell; nSpheres 12; shellRadius 2.4e-6;", 4.4, (11,), (8,),
               "unionVolume; volumeModulus 1e4;"),
+    "rod": ("type chain; nSpheres 2; spacing 5e-6;", 2.4, (), (),
+            "unionVolume; volumeModulus 1e4;"),
     "capsule": ("type icosphere; radius 2.4e-6; subdivisions 2;", 2.4, (), (), ""),
 }
 
@@ -217,6 +231,14 @@ MEMBRANE = """
     viscosityRatio 3;"""
 
 
+BONDS = """
+    type elastic;
+    rigidities { normal 70e-12; tangential 20e-12; bending 8e-24; torsional 10e-24; }"""
+STIFF = """
+    type elastic; youngModulus 5e5; shearModulus 2e5;
+    multipliers { normal 1; tangential 1; bending 1; torsional 1; }"""
+
+
 def clumpType(scene, name, body):
     shape, _, plus, minus, _ = BODIES[body]
     scene.types.append((name, body))
@@ -224,13 +246,9 @@ def clumpType(scene, name, body):
         scene.add("constant/clumpProperties", f"types {{ {name} {{ shape {{ {shape} }} "
                   f"density {scene.density}; {MEMBRANE} }} }}")
         return
-    bonds = "" if body == "sphere" else """
-        bondModel
-        {
-            type elastic;
-            rigidities { normal 70e-12; tangential 20e-12; bending 8e-24; torsional 10e-24; }
-        }
-        dampingModel { type dampingRatio; beta 1; }"""
+    bonds = "" if body == "sphere" else (
+        f"bondModel {{ {STIFF if body == 'rod' else BONDS} }} "
+        "dampingModel { type dampingRatio; beta 1; }")
     scene.add("constant/clumpProperties", f"types {{ {name} {{ shape {{ {shape} sphereRadius "
               f"{RADIUS}; }} density {scene.density}; massModel union; motion free; {bonds} }} }}")
     if plus:
@@ -240,16 +258,18 @@ def clumpType(scene, name, body):
 
 
 def place(scene, *clumps):
-    """Type, and the place in um: x, y above the least height of the body, z."""
+    """Type, the place in um: x, y above the least height of the body, z, and a velocity."""
     text = ""
-    for name, x, above, z in clumps:
+    for name, x, above, z, *velocity in clumps:
         at = [x, above + BODIES[dict(scene.types)[name]][1] + 0.6, z]
         for i in range(3):
             if scene.periodic(i):
                 at[i] = (at[i] + SHIFT[i]) % LENGTHS[i]
         at[0] += scene.shear*at[1]
-        text += "{ type %s; position (%.4ge-6 %.4ge-6 %.4ge-6); axis (0 0 1); angle 8; }\n" % (
-            name, *at)
+        scene.starts.append((name, *(velocity or [(0, 0, 0)])))
+        start = "velocity (%g %g %g);" % velocity[0] if velocity else ""
+        text += "{ type %s; position (%.4ge-6 %.4ge-6 %.4ge-6); axis (0 0 1); angle 8; %s }\n" % (
+            name, *at, start)
     scene.add("constant/clumpProperties", f"placement {{ type list; clumps ( {text} ); }}")
 
 
@@ -283,6 +303,31 @@ def capsuleAndRing(scene):
     for name, body in (("bead", "sphere"), ("capsule", "capsule"), ("ring", "ring")):
         clumpType(scene, name, body)
     place(scene, ("capsule", 8, 0, 5.2), ("ring", 9, 0, 10.1), ("bead", 15.5, 7, 4.5))
+
+
+def bouncing(scene):
+    """Two spheres that meet, nearly along x, and a rod that hits the wall with an end; in a gas."""
+    scene.rho, scene.pull, scene.gravity = GAS, 0, tuple(0.01*g for g in GRAVITY)
+    scene.add("constant/transportProperties", f"rho rho [1 -3 0 0 0 0 0] {GAS};")
+    if scene.row["gravity"] == "on":
+        scene.add("constant/g", "value (%g %g %g);" % scene.gravity)
+    for name, body in (("left", "sphere"), ("right", "sphere"), ("rod", "rod")):
+        clumpType(scene, name, body)
+    place(scene, ("left", 5, 3, 4.5, (FLIGHT, 0, 0)),
+          ("right", 10.5, 3 + OFFSET, 4.5, (-FLIGHT, 0, 0)), ("rod", 9, 0, 11.5, (0, -FLIGHT, 0)))
+
+
+# Of bonds that break within the run, over the stress of PULL in one of them; the fluid and other
+# bonds carry the rest
+STRENGTHS = {"dumbbell": 0.1, "fibre": 0.3, "ring": 0.3, "shell": 0.15, "rod": 0.3}
+
+
+def breaks(scene):
+    for name, body in scene.types:
+        if body in STRENGTHS:
+            strength = STRENGTHS[body]*PULL/(pi*RADIUS**2)
+            scene.add("constant/clumpProperties", f"types {{ {name} {{ bondModel {{ breakage {{ "
+                      f"normalStress {strength}; shearStress {strength}; }} }} }} }}")
 
 
 def conserves(scene):
@@ -393,6 +438,11 @@ FEATURES = {
         "several": several,
         "capsules": pairOf("capsule", (11.5, 0.3, 9.9)),
         "capsuleAndRing": capsuleAndRing,
+        "bouncing": bouncing,
+    },
+    "bonds": {
+        "whole": nothing,
+        "brittle": breaks,
     },
     "conservation": {
         "none": nothing,
@@ -421,6 +471,9 @@ FORBIDDEN = [
      "there is no inlet"),
     ({"conservation": ["one"], "bodies": ["spheres", "capsules"]},
      "a sphere has no shape to conserve, and a capsule keeps its volume"),
+    ({"bonds": ["brittle"], "bodies": ["spheres", "capsules"]}, "there are no bonds"),
+    ({"bodies": ["bouncing"], "walls": ["off"],
+      "boundaries": ["closed", "periodicWalls", "open", "mixed"]}, "nothing keeps them inside"),
     ({"outer": ["1"], "bodies": ["capsules", "capsuleAndRing"],
       "contact": ["on", "lubricated", "rough"]},
      "membranes that may touch are refused with one outer corrector"),

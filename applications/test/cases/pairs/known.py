@@ -24,6 +24,7 @@ FOUND = [
     {"rotation": "off", "density": "300"},
     {"contact": "lubricated", "bodies": "fibre", "conservation": "one"},
     {"outer": "1", "dilation": "no", "bodies": "ring"},
+    {"viscosity": "powerLaw", "bodies": "dumbbell", "bonds": "brittle", "disturbance": "restart"},
     {"mesh": "refined", "boundaries": "periodic", "disturbance": "restart"},
     {"mesh": "refined", "boundaries": "periodicWalls", "disturbance": "restart"},
     {"mesh": "split", "boundaries": "periodic", "gravity": "on", "step": "adjustable",

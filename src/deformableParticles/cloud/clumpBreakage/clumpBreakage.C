@@ -248,7 +248,10 @@ void Foam::clumpBreakage::divide
         added.insert(d.first().first(), identity(n - 1, next));
         next += n - 1;
     }
-    count.breakOff(nAdded);
+    if (nAdded)
+    {
+        count.breakOff(nAdded);
+    }
     announce(clumps, breaks, added);
     Info<< said.c_str() << flush;
 }

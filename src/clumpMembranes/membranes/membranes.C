@@ -392,6 +392,27 @@ void Foam::membranes::sharpen
 }
 
 
+void Foam::membranes::setViscosities
+(
+    const volScalarField& nu,
+    Cloud<clumpParcel>& clumps,
+    ghostExchange& ghosts
+) const
+{
+    // The mobility of a membrane is that of the fluid at its nodes
+    surfaces_->sample((1/nu)*dimensionedVector("x", dimless, vector(1, 0, 0)), ghosts);
+    label index = 0;
+    for (clumpParcel& p : clumps)
+    {
+        const clumpImage& image = ghosts.images()[index++];
+        if (isOne(p))
+        {
+            p.step().nu = 1/average(image.sampled).x();
+        }
+    }
+}
+
+
 void Foam::membranes::advance(clumpParcel& p, const scalar mu) const
 {
     steps_[p.typeId()].advance

@@ -25,6 +25,8 @@ FOUND = [
     {"contact": "lubricated", "bodies": "fibre", "conservation": "one"},
     {"outer": "1", "dilation": "no", "bodies": "ring"},
     {"viscosity": "powerLaw", "bodies": "dumbbell", "bonds": "brittle", "disturbance": "restart"},
+    {"outer": "1", "contact": "off", "viscosity": "powerLaw", "bodies": "capsules",
+     "driving": "gradient", "boundaries": "periodicWalls"},
     {"mesh": "refined", "boundaries": "periodic", "disturbance": "restart"},
     {"mesh": "refined", "boundaries": "periodicWalls", "disturbance": "restart"},
     {"mesh": "split", "boundaries": "periodic", "gravity": "on", "step": "adjustable",

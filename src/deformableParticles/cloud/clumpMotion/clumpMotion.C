@@ -279,7 +279,7 @@ void Foam::clumpMotion::advance(clumpParcel& p, const scalar dt)
 {
     if (const clumpKind* kind = clumps_.kind(p))
     {
-        kind->advance(p, coupling_->viscosity());
+        kind->advance(p, coupling_->viscosity(p));
         ++nSolves_;
         return;
     }

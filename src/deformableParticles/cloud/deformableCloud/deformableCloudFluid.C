@@ -97,6 +97,10 @@ void Foam::deformableCloud::setViscosities(const volScalarField& nu)
         p.step().lastNu = p.step().nu;
         p.step().nu = sums.y() > 0 ? sums.x()/sums.y() : 0;
     }
+    for (const clumpKind& kind : kinds_)
+    {
+        kind.setViscosities(nu, *this, ghosts_);
+    }
 }
 
 

@@ -18,7 +18,8 @@ RADIUS = 2e-6                           # of the spheres
 END = 2e-3                              # s, 20 steps of 1e-4 s, written four times
 SHIFT = (9.3, 5.1, 9.1)                 # um, of the bodies where the boundaries are periodic
 
-# Bodies that bounce fly in a thin gas, whose drag takes up less than 1 % of their speed in a step
+# Bodies that bounce fly in a thin gas, whose drag takes up 2 % of their speed in a step, and 8 %
+# of that of the light ones
 GAS = 0.2                              # kg/m3
 FLIGHT = 0.02                           # m/s, a radius in a step
 OFFSET = 0.5                            # um, of two spheres that meet

@@ -9,6 +9,10 @@ KNOWN = [
      "the same in the first steps from rest, where a locked interior resists more"),
     ({"dilation": ["no"], "bodies": ["capsuleAndRing"]}, "warnings", 4,
      "with a locked interior, the first step from rest may end at thirty outer correctors"),
+    ({"outer": ["tolerance"], "dilation": ["no"], "viscosity": ["powerLaw"],
+      "bodies": ["shell", "bouncing"]}, "warnings", 3,
+     "the same at thirty times the viscosity, also of a Newtonian liquid; in one that thins,"
+     " further steps may end so or be repeated"),
     ({"outer": ["tolerance"], "dilation": ["no"], "bodies": ["shell"]}, "serial equals parallel",
      3e-4,
      "locked shells take up to fourteen outer correctors, whose acceleration magnifies round-off"),

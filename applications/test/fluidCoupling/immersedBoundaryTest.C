@@ -519,6 +519,51 @@ TEST_CASE("boundary: a clump leaves nothing where it was", "[boundary]")
 }
 
 
+TEST_CASE("boundary: what is given back accelerates the solid mesh cells", "[boundary]")
+{
+    // Their centre of volume is not that of the clump
+    const point centre(10.3e-6, 9.1e-6, 10.6e-6);
+    const vector a(1, 2, -3), alpha(4e5, -1e5, 2e5);
+    testCloud t(centre);
+    const scalar dt = testTime().deltaTValue();
+    vector force(Zero), torque(Zero);
+    for (clumpParcel& p : t.cloud())
+    {
+        const pointField& x = p.state().x;
+        externalForces before(x.size()), after(x.size());
+        t.cloud().coupling().addForces(p, dt, before);
+        p.step().imposedU += dt*(a + (alpha ^ x));
+        p.step().imposedW += dt*alpha;
+        t.cloud().coupling().addForces(p, dt, after);
+        const vectorField f(after.f - before.f);
+        force += sum(f);
+        torque += sum(x ^ f) + sum(after.t - before.t);
+    }
+    reduce(force, sumOp<vector>());
+    reduce(torque, sumOp<vector>());
+
+    vector rate(Zero), angular(Zero), moment(Zero);
+    const fvMesh& mesh = testMesh();
+    forAll(mesh.C(), celli)
+    {
+        if (t.boundary().strength()[celli]*dt > 500)
+        {
+            const vector r(mesh.C()[celli] - centre);
+            const vector ofCell(1025*mesh.V()[celli]*(a + (alpha ^ r)));
+            rate += ofCell;
+            angular += r ^ ofCell;
+            moment += 1025*mesh.V()[celli]*(r ^ a);
+        }
+    }
+    reduce(rate, sumOp<vector>());
+    reduce(angular, sumOp<vector>());
+    reduce(moment, sumOp<vector>());
+    CHECK(mag(force - rate) < 1e-10*mag(rate));
+    CHECK(mag(torque - angular) < 1e-10*mag(angular));
+    CHECK(mag(moment) > 1e-3*mag(angular));
+}
+
+
 TEST_CASE("boundary: the factor on the coupling coefficient has a limit", "[boundary][coupling]")
 {
     // A flow that turns round in every pass, and grows

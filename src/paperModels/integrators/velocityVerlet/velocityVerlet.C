@@ -164,10 +164,8 @@ Foam::label Foam::integrators::velocityVerlet::advance
             const clumpInteraction::member& member = members[m];
             const clumpState& s = *member.end;
             ext[m] = *member.ext;
-            const vectorField added
-            (
-                group.forces(m) - (ext[m].k & (s.x - member.start->x))
-            );
+            vectorField added(group.forces(m));
+            added -= ext[m].k & (s.x - member.start->x);
             ext[m].f += added;
 
             externalForces all(ext[m]);

@@ -40,7 +40,7 @@ TEST_CASE("variable viscosity: a rotation has no stress", "[membrane][parallel]"
     U.correctBoundaryConditions();
     nu.correctBoundaryConditions();
     const testInterior none(List<point>(), 5);
-    variableViscosity viscosity(U, *none.immersion->interior());
+    variableViscosity viscosity(U, *none.immersion);
     const tmp<fvVectorMatrix> tstress(viscosity.stress(nu));
     const volVectorField force(tstress() & U);
 

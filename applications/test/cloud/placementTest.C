@@ -5,6 +5,7 @@
 
 #include "testCatch.H"
 #include "testCase.H"
+#include "clumpTotals.H"
 #include "foamCompat.H"
 #include "placement.H"
 #include "randomSeed.H"
@@ -235,7 +236,7 @@ TEST_CASE("placement: several types", "[placement]")
 
         labelList numbers(packed.types.size(), Zero);
         numbers[2] = 100;
-        const Pair<scalar> f(placement::fractions(packed.types, numbers, V));
+        const Pair<scalar> f(volumeFractions(packed.types, numbers, V));
         CHECK(f.first() == Approx(0.1));
         CHECK(f.second() == Approx(100*4.18879e-18/V).epsilon(1e-3));
     }

@@ -236,12 +236,13 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
      && types_[p.typeId()].ofSpheres()
     )
     {
-        result +=
-            step.presence*rho_/dt
-           *(
-                (step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b)
-              ^ step.solidMoments
-            );
+        // By name: the product with a temporary is written over it while it is read, see
+        // membraneInterior::stressIn
+        const vectorField alpha
+        (
+            step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b
+        );
+        result += step.presence*rho_/dt*(alpha ^ step.solidMoments);
     }
     return result;
 }
@@ -287,15 +288,15 @@ void Foam::fluidCoupling::addForces
     if (rotates() && boundary_->addsInteriorInertia())
     {
         const scalar dt0 = mesh_.time().deltaT0Value();
+        const vectorField dU(step.imposedU - s.u + dt0*s.a);
+        const vectorField dW(step.imposedW - s.w + dt0*s.b);
+        vectorField torques(step.solidMoments ^ dU);
+        torques += step.solidInertias & dW;
         rotation_->transpose
         (
             type,
             s,
-            step.presence*rho_/dt
-           *(
-                (step.solidMoments ^ (step.imposedU - s.u + dt0*s.a))
-              + (step.solidInertias & (step.imposedW - s.w + dt0*s.b))
-            ),
+            step.presence*rho_/dt*torques,
             ext.f,
             ext.t
         );
@@ -332,7 +333,8 @@ bool Foam::fluidCoupling::turn
     );
     const tensor R(rotation(dt*s.angularVelocity(type)).R());
 
-    p.step().imposedU = next + (R & (s.u - velocity));
+    const vectorField relative(s.u - velocity);
+    p.step().imposedU = next + (R & relative);
     p.step().imposedChange += p.step().imposedU - s.u;
     p.step().imposedW = R & s.w;
     return true;

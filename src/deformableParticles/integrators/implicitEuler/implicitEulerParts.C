@@ -61,7 +61,8 @@ struct memberParts
     //- Begin a stage of h [s]
     void setForces(const scalar h)
     {
-        ext.f = f - (ext.k & (start.x - given.start->x));
+        const vectorField moved(start.x - given.start->x);
+        ext.f = f - (ext.k & moved);
         ext.zeta = mass/h;
         ext.zetaR = inertia/h;
         ext.imposedU = start.u;
@@ -282,7 +283,8 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
 
         // The forces act at the end, for the balance over the step
         const point centre(member.end->centre(type));
-        const vector there(sum((member.end->x - centre) ^ p.received));
+        const vectorField arms(member.end->x - centre);
+        const vector there(sum(arms ^ p.received));
         member.receivedTorques +=
             type.inertias()/sum(type.inertias())*(p.moment - there);
 

@@ -165,7 +165,8 @@ Foam::label Foam::integrators::velocityVerlet::advance
             const clumpState& s = *member.end;
             ext[m] = *member.ext;
             vectorField added(group.forces(m));
-            added -= ext[m].k & (s.x - member.start->x);
+            const vectorField moved(s.x - member.start->x);
+            added -= ext[m].k & moved;
             ext[m].f += added;
 
             externalForces all(ext[m]);

@@ -526,10 +526,11 @@ TEST_CASE("boundary: what is given back accelerates the solid mesh cells", "[bou
     const vector a(1, 2, -3), alpha(4e5, -1e5, 2e5);
     testCloud t(centre);
     const scalar dt = testTime().deltaTValue();
-    vector force(Zero), torque(Zero);
+    vector force(Zero), torque(Zero), at(Zero);
     for (clumpParcel& p : t.cloud())
     {
         const pointField& x = p.state().x;
+        at += p.position();
         externalForces before(x.size()), after(x.size());
         t.cloud().coupling().addForces(p, dt, before);
         p.step().imposedU += dt*(a + (alpha ^ x));
@@ -539,6 +540,7 @@ TEST_CASE("boundary: what is given back accelerates the solid mesh cells", "[bou
         force += sum(f);
         torque += sum(x ^ f) + sum(after.t - before.t);
     }
+    reduce(at, sumOp<vector>());
     reduce(force, sumOp<vector>());
     reduce(torque, sumOp<vector>());
 
@@ -548,7 +550,7 @@ TEST_CASE("boundary: what is given back accelerates the solid mesh cells", "[bou
     {
         if (t.boundary().strength()[celli]*dt > 500)
         {
-            const vector r(mesh.C()[celli] - centre);
+            const vector r(mesh.C()[celli] - at);
             const vector ofCell(1025*mesh.V()[celli]*(a + (alpha ^ r)));
             rate += ofCell;
             angular += r ^ ofCell;

@@ -275,11 +275,9 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::rateViscosity::stress()
     autoPtr<volTensorField> gradU;
     withExtended([&]{ gradU.reset(new volTensorField("gradU", fvc::grad(U))); });
     extend(*gradU);
-
-    // A constant viscosity has no second term, whose discretisation is not zero
     return
       - fvm::laplacian(onFaces()(), U, "laplacian(nuEff,U)")
-      - fvc::div((nu - min(nu))*dev2(T(*gradU)), "div((nuEff*dev2(T(grad(U)))))");
+      - fvc::div(nu*dev2(T(*gradU)), "div((nuEff*dev2(T(grad(U)))))");
 }
 
 

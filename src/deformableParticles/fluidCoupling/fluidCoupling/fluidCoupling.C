@@ -236,8 +236,6 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
      && types_[p.typeId()].ofSpheres()
     )
     {
-        // By name: the product with a temporary is written over it while it is read, see
-        // membraneInterior::stressIn
         const vectorField alpha
         (
             step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b
@@ -288,6 +286,8 @@ void Foam::fluidCoupling::addForces
     if (rotates() && boundary_->addsInteriorInertia())
     {
         const scalar dt0 = mesh_.time().deltaT0Value();
+
+        // By name, not as a temporary: see CONTRIBUTING.md
         const vectorField dU(step.imposedU - s.u + dt0*s.a);
         const vectorField dW(step.imposedW - s.w + dt0*s.b);
         vectorField torques(step.solidMoments ^ dU);

@@ -34,7 +34,8 @@ TEST_CASE("bond models: the axial law is the gradient of its energy", "[bonds][s
     (
         "type elastic;",
         "type timoshenko;",
-        "type strainStiffening; stiffening 1.5;"
+        "type strainStiffening; stiffening 1.5;",
+        "type cubicBond; cubic 2;"
     );
     const auto model(modelOf(text));
     const scalar length = 0.7;

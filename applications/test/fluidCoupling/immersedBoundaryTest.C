@@ -434,7 +434,8 @@ TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][seria
 {
     const word fraction = GENERATE
     (
-        word("fullCells"), word("signedDistance"), word("tetClipping")
+        word("fullCells"), word("signedDistance"), word("tetClipping"),
+        word("smoothFraction")
     );
     const word forcing = GENERATE
     (

@@ -242,9 +242,15 @@ TEST_CASE("membrane contact: the force is the gradient of the potential",
             )
         )
     );
+    const string law = GENERATE
+    (
+        string("stress 2;"), string("type hertz; reducedModulus 3; restitution 0.5;"),
+        string("type elasticLayer; modulus 2; thickness 0.3;")
+    );
+    INFO(law);
     membraneContacts contacts
     (
-        types, dictOf("membraneContact { range 1; stress 2; }")
+        types, dictOf("membraneContact { range 1; " + law + " }")
     );
     ghostExchange ghosts(testMesh());
 
@@ -263,6 +269,7 @@ TEST_CASE("membrane contact: the force is the gradient of the potential",
     c.gap = 0.03;
     c.start = 0.15;
     c.radius = 0.4;
+    c.film = true;
     c.area = 0.2;
     c.moves = 1;
     list.append(c);

@@ -17,7 +17,31 @@ using namespace Foam;
 dictionary entriesOf(const dictionary& dict)
 {
     const dictionary result(dict.subOrEmptyDict("membraneContact"));
-    checkEntries(result, {"range", "stress", "filmCutOff"});
+    if (!result.found("type"))
+    {
+        checkEntries(result, {"range", "stress", "filmCutOff"});
+    }
+    return result;
+}
+
+
+//- The law of the entry type; null without it
+autoPtr<contactModel> lawOf(const dictionary& dict)
+{
+    if (!dict.found("type"))
+    {
+        return autoPtr<contactModel>();
+    }
+    dictionary own(dict);
+    own.remove("range");
+    own.remove("filmCutOff");
+    autoPtr<contactModel> result(selectModel<contactModel>(own));
+    if (result->frictional())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries 'friction' and 'rollingFriction' do not act on membranes."
+            << " Remove them from membraneContact." << exit(FatalIOError);
+    }
     return result;
 }
 
@@ -25,7 +49,9 @@ dictionary entriesOf(const dictionary& dict)
 //- Zero where it is not given
 scalar givenStress(const dictionary& dict)
 {
-    return dict.found("stress") ? getPositive(dict, "stress") : 0;
+    return
+        dict.found("stress") && !dict.found("type")
+      ? getPositive(dict, "stress") : 0;
 }
 
 
@@ -50,7 +76,8 @@ nodeContact contactOf
     const vector& normal,
     const scalar gap,
     const scalar area,
-    const scalar moves
+    const scalar moves,
+    const scalar radius
 )
 {
     nodeContact c;
@@ -61,7 +88,8 @@ nodeContact contactOf
     c.normal = normal;
     c.gap = gap;
     c.start = gap;
-    c.radius = 0;
+    c.radius = radius;
+    c.film = false;
     c.area = area;
     c.moves = moves;
     return c;
@@ -104,6 +132,7 @@ Foam::membraneContacts::membraneContacts
     ),
     cutOff_(getBetweenOrDefault(entriesOf(dict), "filmCutOff", 2, 0.2, 5)),
     stress_(givenStress(entriesOf(dict))),
+    law_(lawOf(entriesOf(dict))),
     range_(0),
     dt_(0),
     meshVelocity_(Zero)
@@ -205,8 +234,13 @@ Foam::membraneFilm::response Foam::membraneContacts::law
     const scalar gap
 ) const
 {
+    const auto film = film_.step(gap, c.start, c.film ? c.radius : 0);
+    if (law_.valid())
+    {
+        const auto p = law_->ofSurfaces(range_ - gap, c.radius);
+        return {p.energy + film.w, p.value + film.p, p.stiffness + film.k};
+    }
     const scalar s = max(1 - gap/range_, scalar(0));
-    const auto film = film_.step(gap, c.start, c.radius);
     return
     {
         stress_*range_/3*pow3(s) + film.w,
@@ -220,8 +254,6 @@ void Foam::membraneContacts::addFilm
 (
     nodeContact& c,
     const body& nodes,
-    const scalar ofNodes,
-    const scalar ofOther,
     const vector& moved
 ) const
 {
@@ -231,7 +263,7 @@ void Foam::membraneContacts::addFilm
         // Where the nearest point jumps along an edge, the gap was not one before
         const scalar opened = c.normal & (nodes.moved[i] - moved);
         c.start = max(c.gap - opened, min(c.gap, scalar(0)));
-        c.radius = 1/(1/ofNodes + 1/ofOther);
+        c.film = true;
     }
 }
 
@@ -345,6 +377,11 @@ void Foam::membraneContacts::findNodes
         return;
     }
 
+    const scalar R = contactModel::reduced
+    (
+        typeOf(ghosts.images()[nodes]).halfWidth(), type.halfWidth()
+    );
+
     // Deep inside, too
     const pointField x(from.x, near);
     const auto places = distance(ghosts, triangles).nearest
@@ -362,7 +399,7 @@ void Foam::membraneContacts::findNodes
         (
             contactOf
             (
-                near[k], p.outwards, p.distance, 0.5*from.areas[near[k]], 2
+                near[k], p.outwards, p.distance, 0.5*from.areas[near[k]], 2, R
             )
         );
         const triFace& t = type.surface().triangles()[p.triangle];
@@ -372,7 +409,6 @@ void Foam::membraneContacts::findNodes
             addFilm
             (
                 c, from,
-                typeOf(ghosts.images()[nodes]).halfWidth(), type.halfWidth(),
                 w[0]*to.moved[t[0]] + w[1]*to.moved[t[1]] + w[2]*to.moved[t[2]]
             );
         }
@@ -410,7 +446,8 @@ void Foam::membraneContacts::findSelf
         (
             contactOf
             (
-                p.node, p.opens, p.gap + range_ - range, 0.5*b.areas[p.node], 2
+                p.node, p.opens, p.gap + range_ - range, 0.5*b.areas[p.node], 2,
+                0.5*type.halfWidth()
             )
         );
         contacts.append(c);
@@ -461,15 +498,12 @@ void Foam::membraneContacts::findSpheres
                 contactOf
                 (
                     i, d/max(mag(d), SMALL*r[at]), gap, nodes.areas[i],
-                    type.fixed() ? 1 : 2
+                    type.fixed() ? 1 : 2, contactModel::reduced(halfWidth, r[at])
                 )
             );
             if (film_.range() > 0)
             {
-                addFilm
-                (
-                    contacts.last(), nodes, halfWidth, r[at], others.moved[at]
-                );
+                addFilm(contacts.last(), nodes, others.moved[at]);
             }
             nearest.append(at);
         }
@@ -500,10 +534,10 @@ void Foam::membraneContacts::findWalls
          && height < reach()
         )
         {
-            contacts.append(contactOf(i, away, height, nodes.areas[i], 1));
+            contacts.append(contactOf(i, away, height, nodes.areas[i], 1, halfWidth));
             if (film_.range() > 0)
             {
-                addFilm(contacts.last(), nodes, halfWidth, GREAT, vector::zero);
+                addFilm(contacts.last(), nodes, vector::zero);
             }
         }
     }

@@ -38,39 +38,52 @@ Foam::scalar Foam::membraneModels::surfaceArea::add
     membraneTangent* tangent
 ) const
 {
-    vectorField g(x.size(), Zero);
-    for (const triFace& t : surface_.triangles())
-    {
-        const vector S((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
-        const vector n(S/mag(S));
-        forAll(t, k)
-        {
-            g[t[k]] += 0.5*(n ^ (x[t[t.rcIndex(k)]] - x[t[t.fcIndex(k)]]));
-        }
-    }
+    const vectorField g(areaGradient(surface_, x));
     const scalar excess = surface_.area(x) - area0_;
     const scalar tension = modulus_*excess/area0_;
     gradient += tension*g;
     if (tangent)
     {
         tangent->addProduct(modulus_/area0_, g);
-        addStretch(x, tension, *tangent);
+        addStretch(surface_, x, tension, *tangent);
     }
     return 0.5*tension*excess;
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::membraneModels::surfaceArea::areaGradient
+(
+    const closedSurface& surface,
+    const pointField& x
+)
+{
+    auto tresult = tmp<vectorField>::New(x.size(), Zero);
+    vectorField& result = tresult.ref();
+    for (const triFace& t : surface.triangles())
+    {
+        const vector S((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
+        const vector n(S/mag(S));
+        forAll(t, k)
+        {
+            result[t[k]] += 0.5*(n ^ (x[t[t.rcIndex(k)]] - x[t[t.fcIndex(k)]]));
+        }
+    }
+    return tresult;
+}
+
+
 void Foam::membraneModels::surfaceArea::addStretch
 (
+    const closedSurface& surface,
     const pointField& x,
     const scalar tension,
     membraneTangent& tangent
-) const
+)
 {
     typedef Eigen::Matrix<double, 6, 1> vector6;
     typedef Eigen::Matrix<double, 6, 6> matrix6;
 
-    for (const triFace& t : surface_.triangles())
+    for (const triFace& t : surface.triangles())
     {
         const vector ea(x[t[1]] - x[t[0]]);
         const vector eb(x[t[2]] - x[t[0]]);

@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+-------------------------------------------------------------------------------
+Description
+    The models of this folder, each as a user's own library has it: what they are for.
+    The tests of their families have cubicBond, constantTension and smoothFraction, too.
+\*---------------------------------------------------------------------------*/
+
+#include "testCatch.H"
+#include "contact/touchingClumps.H"
+#include "membrane/testMembrane.H"
+#include "contactModel.H"
+#include "mathematicalConstants.H"
+#include "nodeFlow.H"
+
+using namespace Foam;
+
+namespace
+{
+
+const scalar pi = constant::mathematical::pi;
+
+const string layer("modulus 100; thickness 1e-6;");
+
+//- A bead of 2 um, a ring and a capsule of 3 um with the elastic layer, in the test box,
+//  whose mesh cells are 1 um wide and whose walls are at y = 0 and 20 um
+autoPtr<openCloud> scene(const string& clumps, const bool wet)
+{
+    const string law("{ type elasticLayer; " + layer + " }");
+    return autoPtr<openCloud>
+    (
+        new openCloud
+        (
+            testMesh(),
+            dictOf
+            (
+                "types"
+                "{"
+                "    bead { shape { type chain; nSpheres 1; sphereRadius 2e-6; }"
+                "        density 1000; }"
+                "    ring { shape { type ring; nSpheres 12; ringRadius 2e-6;"
+                "        sphereRadius 1e-6; } density 1000; bondModel { type elastic;"
+                "        rigidities { normal 1e-9; tangential 1e-9; bending 1e-22;"
+                "        torsional 1e-22; } } dampingModel { type none; } }"
+              + string
+                (
+                    wet
+                  ? "    capsule"
+                    "    {"
+                    "        shape { type icosphere; radius 3e-6; subdivisions 4; }"
+                    "        density 1000;"
+                    "        membrane { a { type neoHookean; shearModulus 1e-6; } }"
+                    "    }"
+                  : ""
+                )
+              + "}"
+                "placement { type list; clumps (" + clumps + "); }"
+                "contactModel " + law + "wallContactModel " + law
+              + "membraneContact " + law
+              + (wet ? "effects { fluid on; }" : "effects { fluid off; }")
+            )
+        )
+    );
+}
+
+//- Force of contact on the first clump [N]
+vector forceOn(openCloud& cloud, const bool wet)
+{
+    if (wet)
+    {
+        const volScalarField nu
+        (
+            IOobject("testNu", testTime().timeName(), testMesh()),
+            testMesh(), dimensionedScalar("nu", dimViscosity, 1.171e-6)
+        );
+        cloud.immerse(nu, true);
+    }
+    else
+    {
+        cloud.evolve();
+        cloud.accept();
+    }
+    vector result(Zero);
+    for (const clumpParcel& p : cloud)
+    {
+        if (p.origId() == 0)
+        {
+            result += sum(wet ? nodesOf(p).force : p.step().forces.f);
+        }
+    }
+    reduce(result, sumOp<vector>());
+    return result;
+}
+
+}
+
+
+TEST_CASE("examples: a contact law acts on beads, rings, capsules and walls",
+    "[examples][contact][membrane]")
+{
+    struct row
+    {
+        const char* clumps;
+        bool wet;
+        scalar overlap;     // [m]; of membranes that of the range, half a mesh cell
+        // Reduced radius [m]. The surface of a sphere a has 2 pi a rho drho/D at the
+        // distance rho from the centre of a sphere b: a (b + gap)/D with the mean gap
+        scalar R;
+        vector away;
+        scalar error;
+    };
+    const row r = GENERATE
+    (
+        row
+        {
+            "{ type bead; position (7e-6 10e-6 10e-6); }"
+            "{ type bead; position (10.8e-6 10e-6 10e-6); }",
+            false, 0.2e-6, 1e-6, vector(-1, 0, 0), 1e-3
+        },
+        row
+        {
+            "{ type bead; position (10e-6 1.8e-6 10e-6); }",
+            false, 0.2e-6, 2e-6, vector(0, 1, 0), 1e-3
+        },
+        row
+        {
+            "{ type bead; position (7e-6 10e-6 10e-6); }"
+            "{ type ring; position (11.8e-6 10e-6 10e-6); }",
+            false, 0.2e-6, 2e-6/3, vector(-1, 0, 0), 0.03
+        },
+        row
+        {
+            "{ type capsule; position (7e-6 10e-6 10e-6); }"
+            "{ type capsule; position (13.2e-6 10e-6 10e-6); }",
+            true, 0.3e-6, 3e-6*3.3/6.2, vector(-1, 0, 0), 0.02
+        },
+        row
+        {
+            "{ type capsule; position (7e-6 10e-6 10e-6); }"
+            "{ type bead; position (12.2e-6 10e-6 10e-6); }",
+            true, 0.3e-6, 3e-6*2.3/5.2, vector(-1, 0, 0), 0.02
+        },
+        row
+        {
+            "{ type capsule; position (10e-6 3.2e-6 10e-6); }",
+            true, 0.3e-6, 3e-6, vector(0, 1, 0), 0.02
+        }
+    );
+    INFO(r.clumps);
+    const givenStep step(1e-8);
+    auto cloud = scene(r.clumps, r.wet);
+    const vector force(forceOn(*cloud, r.wet));
+
+    const scalar expected = pi*r.R*100/1e-6*sqr(r.overlap);
+    CHECK((force & r.away)/expected == Approx(1).epsilon(r.error));
+    CHECK(mag(force - (force & r.away)*r.away) < 0.02*expected);
+}
+
+
+TEST_CASE("examples: a contact law gives membranes the pressure of the layer",
+    "[examples][contact][serial]")
+{
+    const auto law
+    (
+        selectModel<contactModel>(dictOf("type elasticLayer; " + layer))
+    );
+    const scalar d = 0.3e-6;
+    const auto p = law->ofSurfaces(d, GENERATE(1e-6, 4e-6));
+    CHECK(p.value == Approx(100*d/1e-6));
+    CHECK(p.stiffness == Approx(100/1e-6));
+    CHECK(p.energy == Approx(50*sqr(d)/1e-6));
+    CHECK(law->ofSurfaces(-d, 1e-6).value == 0);
+}
+
+
+TEST_CASE("examples: a constant tension is balanced by the pressure of Laplace",
+    "[examples][membrane][serial]")
+{
+    // Of a surface that is scaled, the area grows with the square of the size; in a sphere
+    // the force of the tension is that of the pressure 2 s/R
+    const testMembrane m
+    (
+        "a { type constantTension; tension 0.3; }",
+        "type icosphere; radius 2; subdivisions 3;"
+    );
+    const pointField& x = m.type.centres();
+    const vectorField f(m.mechanics.forces(x));
+    const scalar area = m.type.surface().area(x);
+    CHECK(sum(x & f) == Approx(-2*0.3*area));
+
+    const vectorField inwards(-0.3*m.type.surface().areaVectors(x));
+    CHECK(Foam::sqrt(sum(magSqr(f - inwards))/sum(magSqr(inwards))) < 0.03);
+}
+
+
+TEST_CASE("examples: a load swings a bead", "[examples][serial]")
+{
+    const scalar t = 1.3e-6;
+    const auto load
+    (
+        selectModel<Foam::load>
+        (
+            dictOf
+            (
+                "type swingingForce; clumpType test; amplitude (0 3e-12 0);"
+                "frequency " + Foam::name(0.25/t) + ";"
+            )
+        )
+    );
+    const clumpType type("test", cellDict());
+    testTime().setTime(t, testTime().timeIndex());
+    externalForces ext(type.size());
+    load->add({testMesh(), type, clumpState(), type.centres(), vectorField()}, ext);
+    testTime().setTime(0, 0);
+
+    // A quarter of a period: the whole amplitude, and every sphere by its mass
+    CHECK(mag(sum(ext.f) - vector(0, 3e-12, 0)) < 1e-20);
+    CHECK(mag(ext.f[0]/type.masses()[0] - ext.f[3]/type.masses()[3]) < 1e-6);
+}

@@ -47,9 +47,12 @@ Foam::couplingIteration::couplingIteration
     residual_(cloud, flow, held),
     tolerance_(0),
     nCorrectors_(0),
+    nBefore_(0),
     withoutClumps_(false),
     nextWithout_(false),
     last_(0),
+    now_(1),
+    before_(1),
     nSteps_(0),
     nMissed_(0),
     worst_(0)
@@ -174,6 +177,25 @@ bool Foam::couplingIteration::flowChanged() const
 }
 
 
+Foam::scalar Foam::couplingIteration::reduction() const
+{
+    if (tolerance_ <= 0 || nCorrectors_ == flow_.control().nCorrPIMPLE())
+    {
+        return 0;
+    }
+    const bool many = nBefore_ > 3;
+    if (nCorrectors_ == 1)
+    {
+        return many ? 0.03 : 0;
+    }
+    const scalar rate = min(now_/before_, scalar(1));
+    return
+        rate*now_ >= tolerance_ ? 0.1*rate
+      : many ? 0.05*tolerance_/now_
+      : 0;
+}
+
+
 bool Foam::couplingIteration::converged()
 {
     if (withoutClumps_)
@@ -191,7 +213,9 @@ bool Foam::couplingIteration::converged()
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
     const scalar allowed = (nCorrectors_ == 1 ? 0.1 : 1)*tolerance_;
-    const bool enough = nCorrectors_ >= flow_.control().least();
+    const bool enough =
+        nCorrectors_ >= flow_.control().least()
+     && flow_.control().reduction()*now_ <= 0.051*tolerance_;
     scalar residual = residual_.value(p0_);
     if (residual < allowed && enough && cloud_.motion().approximate())
     {
@@ -202,6 +226,8 @@ bool Foam::couplingIteration::converged()
     {
         return true;
     }
+    before_ = now_;
+    now_ = residual;
     if (!flow_.Newtonian() && viscosityChanged())
     {
         acceleration_->clear();
@@ -233,6 +259,7 @@ bool Foam::couplingIteration::loop()
         p0_ = flow_.p().primitiveField();
     }
     ++nCorrectors_;
+    control.allow(reduction());
     withoutClumps_ = nextWithout_;
     nextWithout_ = false;
     return true;
@@ -242,7 +269,10 @@ bool Foam::couplingIteration::loop()
 void Foam::couplingIteration::beginStep()
 {
     residual_.beginStep();
+    nBefore_ = nCorrectors_;
     nCorrectors_ = 0;
+    now_ = 1;
+    before_ = 1;
     withoutClumps_ = false;
     nextWithout_ =
         clumpsFollow_ && cloud_.followedFlow() && flow_.control().nCorrPIMPLE() > 1;

@@ -56,7 +56,8 @@ Foam::outerCorrectors::outerCorrectors(fvMesh& mesh, const bool iterates)
     pimpleControl(mesh, dictionaryName(mesh), false),
     iterates_(iterates),
     finalPressure_(solverGiven(mesh, "pFinal")),
-    finalVelocity_(solverGiven(mesh, "UFinal"))
+    finalVelocity_(solverGiven(mesh, "UFinal")),
+    reduction_(0)
 {
     residualControl_.clear();
     read();
@@ -191,4 +192,17 @@ void Foam::outerCorrectors::end()
 bool Foam::outerCorrectors::finalPressure() const
 {
     return finalPressure_ && finalInnerIter();
+}
+
+
+Foam::dictionary Foam::outerCorrectors::solver
+(
+    const dictionary& given,
+    const scalar factor
+) const
+{
+    dictionary result(given);
+    const scalar relTol = result.getOrDefault<scalar>("relTol", 0);
+    result.set("relTol", max(relTol, factor*reduction_));
+    return result;
 }

@@ -21,6 +21,7 @@ Description
 
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
+#include "fluidCoupling.H"
 #include "incompressibleFlow.H"
 #include "meshCheck.H"
 #include "meshRefinement.H"

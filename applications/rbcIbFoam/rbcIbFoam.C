@@ -32,11 +32,13 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "clumpMotion.H"
 #include "dynamicFvMesh.H"
 #include "closedMomentum.H"
 #include "clumpTotals.H"
 #include "convectionCriterion.H"
 #include "couplingIteration.H"
+#include "fluidCoupling.H"
 #include "heldMeanVelocity.H"
 #include "incompressibleFlow.H"
 #include "meshCheck.H"

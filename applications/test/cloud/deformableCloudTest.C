@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
+#include "fluidCoupling.H"
 #include "testCloud.H"
 #include "clumpDisplacement.H"
 #include "wallSurface.H"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
+#include "clumpMotion.H"
 #include "testCloud.H"
 
 using namespace Foam;

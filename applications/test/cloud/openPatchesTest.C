@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
+#include "fluidCoupling.H"
 #include "testCloud.H"
 #include "openPatches.H"
 

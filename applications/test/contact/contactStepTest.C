@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
+#include "clumpMotion.H"
 #include "touchingClumps.H"
 #include "mathematicalConstants.H"
 

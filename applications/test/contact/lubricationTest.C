@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
+#include "clumpMotion.H"
+#include "fluidCoupling.H"
 #include "touchingClumps.H"
 #include "mathematicalConstants.H"
 

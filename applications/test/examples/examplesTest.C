@@ -9,6 +9,7 @@ Description
 
 #include "testCatch.H"
 #include "contact/touchingClumps.H"
+#include "load.H"
 #include "membrane/testMembrane.H"
 #include "contactModel.H"
 #include "mathematicalConstants.H"

@@ -5,6 +5,7 @@
 
 #include "contactStress.H"
 #include "addToRunTimeSelectionTable.H"
+#include "clumpMotion.H"
 #include "foamCompat.H"
 
 namespace Foam

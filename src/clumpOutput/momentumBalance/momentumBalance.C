@@ -4,8 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "momentumBalance.H"
+#include "clumpMotion.H"
 #include "clumpTotals.H"
 #include "deformableCloud.H"
+#include "fluidCoupling.H"
 #include "meanVelocityGradient.H"
 #include "fvOptions.H"
 #include "sourcesInBodies.H"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "closedMomentum.H"
+#include "clumpMotion.H"
 #include "clumpTotals.H"
 #include "surfaceFields.H"
 

@@ -5,6 +5,7 @@
 
 #include "couplingIteration.H"
 #include "clumpDisplacement.H"
+#include "clumpMotion.H"
 #include "clumpTotals.H"
 #include "mathematicalConstants.H"
 #include "StringStream.H"

@@ -5,6 +5,7 @@
 
 #include "rateViscosity.H"
 #include "coupledPatches.H"
+#include "fluidCoupling.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
 #include "fvmLaplacian.H"

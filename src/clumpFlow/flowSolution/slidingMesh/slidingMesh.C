@@ -5,6 +5,7 @@
 
 #include "slidingMesh.H"
 #include "cellSetOption.H"
+#include "clumpMotion.H"
 #include "clumpTotals.H"
 #include <Eigen/Eigenvalues>
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variableViscosity.H"
+#include "fluidCoupling.H"
 #include "fluidsInside.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stepReport.H"
+#include "clumpMotion.H"
 #include "clumpWork.H"
 #include "fvcDiv.H"
 #include "logBuffer.H"

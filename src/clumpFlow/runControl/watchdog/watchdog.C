@@ -5,6 +5,7 @@
 
 #include "watchdog.H"
 #include "checkedEntries.H"
+#include "clumpMotion.H"
 #include "clumpTotals.H"
 #include "flowDriving.H"
 #include "foamCompat.H"

@@ -5,6 +5,7 @@
 
 #include "clumpMotion.H"
 #include "clumpTotals.H"
+#include "fluidCoupling.H"
 #include "mathematicalConstants.H"
 #include "vector2D.H"
 

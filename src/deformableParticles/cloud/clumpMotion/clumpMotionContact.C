@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpMotion.H"
+#include "fluidCoupling.H"
 
 void Foam::clumpMotion::findContacts(const scalar dt)
 {

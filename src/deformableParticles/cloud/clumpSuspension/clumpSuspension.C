@@ -6,6 +6,7 @@
 #include "clumpSuspension.H"
 #include "clumpFields.H"
 #include "clumpSource.H"
+#include "fluidCoupling.H"
 
 bool Foam::clumpSuspension::injects() const
 {
@@ -139,6 +140,30 @@ void Foam::clumpSuspension::writeObjects(objectRegistry& obr) const
         position[i] = p.centre(type(p));
         ++i;
     }
+}
+
+
+bool Foam::clumpSuspension::coupled() const
+{
+    return hasFluid() && coupling_->twoWay();
+}
+
+
+Foam::scalar Foam::clumpSuspension::fluidDensity() const
+{
+    return hasFluid() ? coupling_->density() : 0;
+}
+
+
+const Foam::fluidCoupling& Foam::clumpSuspension::coupling() const
+{
+    return *coupling_;
+}
+
+
+const Foam::immersedBoundary& Foam::clumpSuspension::boundary() const
+{
+    return coupling_->boundary();
 }
 
 

@@ -7,6 +7,7 @@
 #include "anyNumber.H"
 #include "clumpProperties.H"
 #include "clumpSource.H"
+#include "fluidCoupling.H"
 #include "sceneScales.H"
 
 Foam::clumpSuspension::clumpSuspension

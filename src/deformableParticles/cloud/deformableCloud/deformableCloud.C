@@ -4,9 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpMotion.H"
 #include "clumpProperties.H"
 #include "clumpSource.H"
 #include "FlatOutput.H"
+#include "fluidCoupling.H"
 #include "functionObject.H"
 
 namespace Foam
@@ -32,16 +34,45 @@ Foam::deformableCloud::deformableCloud
 )
 :
     clumpSuspension(mesh, dict, name),
-    motion_(*this)
+    motion_(new clumpMotion(*this))
 {
     const bool restarts = readOrPlace();
     if (!restarts && nClumps())
     {
         const dictionary& placement = getDict(dict_, "placement");
-        motion_.refuseOverlaps(placement);
+        motion().refuseOverlaps(placement);
         source_->refuseOutside();
     }
-    motion_.decideEffects();
+    motion().decideEffects();
+}
+
+
+Foam::deformableCloud::~deformableCloud()
+{}
+
+
+const Foam::clumpMotion& Foam::deformableCloud::motion() const
+{
+    return *motion_;
+}
+
+
+Foam::clumpMotion& Foam::deformableCloud::motion()
+{
+    return *motion_;
+}
+
+
+void Foam::deformableCloud::accept()
+{
+    motion().accept(flowChange_);
+    followedFlow_ = false;
+}
+
+
+void Foam::deformableCloud::refuse()
+{
+    motion().refuse();
 }
 
 
@@ -91,8 +122,8 @@ void Foam::deformableCloud::evolve
         updateGhosts();
     }
     gatherForces(U, p, nu);
-    motion_.decideEffects();
-    motion_.solve(true);
+    motion().decideEffects();
+    motion().solve(true);
 
     flowChange_ = Zero;
     if (coupled())
@@ -106,8 +137,8 @@ void Foam::deformableCloud::evolve
 void Foam::deformableCloud::evolve()
 {
     updateGhosts();
-    motion_.decideEffects();
-    motion_.solve(true);
+    motion().decideEffects();
+    motion().solve(true);
 }
 
 
@@ -115,7 +146,7 @@ void Foam::deformableCloud::moveParcels()
 {
     if (transfer())
     {
-        motion_.newClumps();
+        motion().newClumps();
     }
     timing_.endStep
     (
@@ -135,7 +166,7 @@ void Foam::deformableCloud::prepareMeshChange()
 void Foam::deformableCloud::meshChanged()
 {
     ghosts_.meshChanged();
-    motion_.meshChanged();
+    motion().meshChanged();
     coupling_->boundary().meshChanged();
     for (clumpKind& kind : kinds_)
     {

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableCloud.H"
+#include "clumpMotion.H"
+#include "fluidCoupling.H"
 
 void Foam::deformableCloud::lookAhead()
 {
@@ -35,7 +37,7 @@ void Foam::deformableCloud::immerse
     {
         lookAhead();
     }
-    const bool films = motion_.decisions().mayLubricate();
+    const bool films = motion().decisions().mayLubricate();
     scalar range = 0;
     for (const clumpKind& kind : kinds_)
     {
@@ -146,8 +148,8 @@ void Foam::deformableCloud::impose()
     {
         kind.impose
         (
-            *this, ghosts_, motion_.decisions().clumpsMayTouch(),
-            motion_.touchedWalls()
+            *this, ghosts_, motion().decisions().clumpsMayTouch(),
+            motion().touchedWalls()
         );
     }
 }
@@ -161,7 +163,7 @@ void Foam::deformableCloud::immerseKinds()
     }
     if (kinds_.size())
     {
-        motion_.setNodeForces();
+        motion().setNodeForces();
     }
 }
 
@@ -194,6 +196,12 @@ void Foam::deformableCloud::imposeFlow(const volVectorField& U)
 }
 
 
+const Foam::volScalarField& Foam::deformableCloud::dilation() const
+{
+    return boundary().dilation();
+}
+
+
 void Foam::deformableCloud::predict
 (
     const volVectorField& U,
@@ -202,7 +210,7 @@ void Foam::deformableCloud::predict
 )
 {
     gatherForces(U, p, nu);
-    motion_.solve(false);
+    motion().solve(false);
 }
 
 
@@ -285,7 +293,7 @@ void Foam::deformableCloud::followFlow
     {
         coupling_->followFlow(type(p), image, s);
     }
-    const vector held(motion_.held(p.typeId()) & s.velocity(type(p)));
+    const vector held(motion().held(p.typeId()) & s.velocity(type(p)));
     s.u -= held;
 }
 

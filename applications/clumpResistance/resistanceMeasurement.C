@@ -6,7 +6,7 @@
 #include "resistanceMeasurement.H"
 #include "incompressibleFlow.H"
 #include "OFstream.H"
-#include "spokenTime.H"
+#include "readableDuration.H"
 
 void Foam::resistanceMeasurement::addOptions()
 {
@@ -102,7 +102,7 @@ void Foam::resistanceMeasurement::endStep()
     const label nLeft = matrix_->size() - 1 - ended;
     Info<< "Resistance: " << ended + 2 << " of " << matrix_->size() + 1
         << " flows computed, "
-        << spokenTime(nLeft*clock_.elapsedTime()/(ended + 2)).c_str() << " left"
+        << readableDuration(nLeft*clock_.elapsedTime()/(ended + 2)).c_str() << " left"
         << endl;
 
     if (ended == matrix_->size() - 1)

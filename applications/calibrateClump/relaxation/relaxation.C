@@ -124,11 +124,11 @@ Foam::List<Foam::scalarField> Foam::mechanicalTests::relaxation::predict
     scalar now = 0;
     forAll(times, k)
     {
-        const scalar span = times[k] - now;
-        const label n = label(std::ceil(span/timeStep_ - 1e-9));
+        const scalar interval = times[k] - now;
+        const label n = label(std::ceil(interval/timeStep_ - 1e-9));
         for (label step = 0; step < n; ++step)
         {
-            integrator.advance(clump.bonds, free, span/n, s);
+            integrator.advance(clump.bonds, free, interval/n, s);
         }
         now = times[k];
         result[0][k] = ratio(type, s);

@@ -13,24 +13,24 @@ using namespace Foam;
 namespace
 {
 
-//- A clump with a presence on the test mesh, and what it does to the fluid
+//- A clump with a fade factor on the test mesh, and what it does to the fluid
 class fadedClump
 {
     PtrList<clumpType> types_;
     ghostExchange ghosts_;
     autoPtr<immersedBoundary> boundary_;
-    const scalar presence_;
+    const scalar fadeFactor_;
 
 
 public:
 
     const scalar nu = 1.171e-6;
 
-    fadedClump(const scalar presence, const word& forcing)
+    fadedClump(const scalar fadeFactor, const word& forcing)
     :
         types_(1),
         ghosts_(testMesh()),
-        presence_(presence)
+        fadeFactor_(fadeFactor)
     {
         types_.set(0, new clumpType("cell", cellDict()));
         boundary_.reset
@@ -67,7 +67,7 @@ public:
                 testMesh(), centre, testMesh().findCell(centre), 0, s
             );
             own[0].set(p, types_[0], s, 0);
-            own[0].presence = presence_;
+            own[0].fadeFactor = fadeFactor_;
             forAll(own[0].u, i)
             {
                 own[0].u[i] = 1e-3*randomVector(random);
@@ -81,11 +81,11 @@ public:
             testMesh(), dimensionedScalar("nu", dimViscosity, nu)
         );
         boundary_->update(ghosts_.images(), viscosity);
-        ghosts_.returnTensions();
+        ghosts_.returnConstraints();
         for (label i = 0; i < ghosts_.nOwn(); ++i)
         {
             clumpImage& image = ghosts_.images()[i];
-            image.contraction = image.tension.contraction(image.u, image.omega);
+            image.contraction = image.constraint.contraction(image.u, image.omega);
         }
         ghosts_.updateVelocities();
         boundary_->impose(ghosts_.images());
@@ -113,7 +113,7 @@ public:
         for (label i = 0; i < ghosts_.nOwn(); ++i)
         {
             clumpImage& image = ghosts_.images()[i];
-            image.fluid.constrain(image.tension);
+            image.fluid.constrain(image.constraint);
             force += sum(image.fluid.f);
             power += image.fluid.power(image.u, image.omega);
         }
@@ -134,7 +134,7 @@ public:
 }
 
 
-TEST_CASE("open patches: gap and presence of a sphere", "[openPatches]")
+TEST_CASE("open patches: gap and fade factor of a sphere", "[openPatches]")
 {
     const scalar r = 2e-6;
     const scalar L = 8e-6;
@@ -154,14 +154,14 @@ TEST_CASE("open patches: gap and presence of a sphere", "[openPatches]")
     }
 
     // Nothing at the patch, all beyond the length, and smooth in between
-    CHECK(openPatches::presence(-1e-6, L) == Approx(1e-3));
-    CHECK(openPatches::presence(0, L) == Approx(1e-3));
-    CHECK(openPatches::presence(L, L) == 1);
-    CHECK(openPatches::presence(2*L, L) == 1);
+    CHECK(openPatches::fadeFactor(-1e-6, L) == Approx(1e-3));
+    CHECK(openPatches::fadeFactor(0, L) == Approx(1e-3));
+    CHECK(openPatches::fadeFactor(L, L) == 1);
+    CHECK(openPatches::fadeFactor(2*L, L) == 1);
     scalar before = 1e-3;
     for (scalar gap = 0; gap <= L; gap += 0.01*L)
     {
-        const scalar phi = openPatches::presence(gap, L);
+        const scalar phi = openPatches::fadeFactor(gap, L);
         CHECK(phi >= before);
         CHECK(phi - before < 0.0151);
         before = phi;
@@ -169,7 +169,8 @@ TEST_CASE("open patches: gap and presence of a sphere", "[openPatches]")
 }
 
 
-TEST_CASE("open patches: a porous sphere has the drag that its presence says", "[openPatches]")
+TEST_CASE("open patches: a porous sphere has the drag that its fade factor says",
+    "[openPatches]")
 {
     // Brinkman's drag over Stokes' for the strength that immersedBoundary gives
     for (scalar phi = 0.01; phi < 1; phi += 0.01)
@@ -182,10 +183,11 @@ TEST_CASE("open patches: a porous sphere has the drag that its presence says", "
 }
 
 
-TEST_CASE("open patches: what a clump loses the fluid gains, at any presence", "[openPatches]")
+TEST_CASE("open patches: what a clump loses the fluid gains, at any fade factor",
+    "[openPatches]")
 {
     const word forcing = GENERATE(word("sharp"), word("continuous"));
-    const scalar presence = GENERATE(1.0, 0.4, 1e-3);
+    const scalar fadeFactor = GENERATE(1.0, 0.4, 1e-3);
 
     const fvMesh& mesh = testMesh();
     volVectorField U
@@ -205,7 +207,7 @@ TEST_CASE("open patches: what a clump loses the fluid gains, at any presence", "
         p[celli] = 1e-3*Foam::cos(x.x() + 2*x.y() - x.z());
     }
 
-    fadedClump clump(presence, forcing);
+    fadedClump clump(fadeFactor, forcing);
     clump.impose(3);
     vector force;
     scalar power;
@@ -234,7 +236,7 @@ TEST_CASE("open patches: what a clump loses the fluid gains, at any presence", "
     CHECK
     (
         gSum(V*b.solidFraction().primitiveField())
-     == Approx(presence*clump.type().volume()).epsilon(0.02)
+     == Approx(fadeFactor*clump.type().volume()).epsilon(0.02)
     );
 }
 

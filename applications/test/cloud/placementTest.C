@@ -254,8 +254,8 @@ TEST_CASE("placement: sizes of a lognormal distribution", "[placement]")
     forAll(packed.types, i)
     {
         const clumpType& type = packed.types[i];
-        const scalar share = type.family() == "grain" ? type.share() : 0;
-        CHECK(mag(packed.number(i) - share*n) <= 1);
+        const scalar fraction = type.family() == "grain" ? type.share() : 0;
+        CHECK(mag(packed.number(i) - fraction*n) <= 1);
         cubes += packed.number(i)*pow3(type.radii()[0]);
         fourths += packed.number(i)*pow4(type.radii()[0]);
     }
@@ -292,8 +292,8 @@ TEST_CASE("placement: a lattice mixes sizes evenly", "[placement]")
     forAll(placed.types, i)
     {
         const clumpType& type = placed.types[i];
-        const scalar share = type.family() == "grain" ? type.share() : 0;
-        CHECK(mag(placed.number(i) - share*216) <= 3);
+        const scalar fraction = type.family() == "grain" ? type.share() : 0;
+        CHECK(mag(placed.number(i) - fraction*216) <= 3);
     }
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("ghosts: the owners of two clumps of any size that may meet know both"
     gatherToAll(boxes);
     ghosts.update();
 
-    label nMeet = 0, nKnown = 0;
+    label nOverlapping = 0, nKnown = 0;
     for (label proci = 0; proci < Pstream::nProcs(); ++proci)
     {
         for (label j = 0; j < n; ++j)
@@ -49,10 +49,10 @@ TEST_CASE("ghosts: the owners of two clumps of any size that may meet know both"
                 boundBox box(boxes[proci][j]);
                 box.min() += shift;
                 box.max() += shift;
-                bool meets = false;
+                bool overlapping = false;
                 for (const boundBox& mine : boxes[Pstream::myProcNo()])
                 {
-                    meets = meets || mine.overlaps(box);
+                    overlapping = overlapping || mine.overlaps(box);
                 }
                 bool known = false;
                 for (const clumpImage& image : ghosts.images())
@@ -64,13 +64,13 @@ TEST_CASE("ghosts: the owners of two clumps of any size that may meet know both"
                          && mag(image.shift - shift) < 1e-9
                         );
                 }
-                nMeet += meets;
-                nKnown += meets && known;
+                nOverlapping += overlapping;
+                nKnown += overlapping && known;
             }
         }
     }
-    CHECK(nMeet >= n);
-    CHECK(nKnown == nMeet);
+    CHECK(nOverlapping >= n);
+    CHECK(nKnown == nOverlapping);
 
     // Only the processor of the largest clump needs to know what is that far away
     for (label proci = 0; proci < Pstream::nProcs(); ++proci)

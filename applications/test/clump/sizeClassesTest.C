@@ -25,7 +25,7 @@ scalar relativeMoment
 {
     const scalarField powers(pow(classes.radii(), scalar(k)));
     return
-        sum(classes.shares()*powers)
+        sum(classes.fractions()*powers)
        /(
             Foam::pow(mean, scalar(k))
            *Foam::pow(1 + sqr(deviation/mean), scalar(0.5*k*(k - 1)))
@@ -55,7 +55,7 @@ TEST_CASE("sizeClasses: moments of a lognormal distribution", "[serial][sizes]")
     for (const label n : {8, 16, 32})
     {
         const sizeClasses classes(lognormal(m, d, n));
-        CHECK(sum(classes.shares()) == Approx(1).epsilon(1e-12));
+        CHECK(sum(classes.fractions()) == Approx(1).epsilon(1e-12));
         CHECK(relativeMoment(classes, 3, m, d) == Approx(1).epsilon(1e-10));
         for (label k = 0; k + 1 < n; ++k)
         {
@@ -100,13 +100,13 @@ TEST_CASE("sizeClasses: types of an entry with sizes", "[serial][sizes]")
     CHECK(expanded.toc() == wordList({"bead_1", "bead_2", "other"}));
 
     const scalar radii[2] = {1e-6, 2e-5};
-    const scalar shares[2] = {0.7, 0.3};
+    const scalar fractions[2] = {0.7, 0.3};
     const word names[2] = {"bead_1", "bead_2"};
     for (label k = 0; k < 2; ++k)
     {
         const clumpType type(names[k], expanded.subDict(names[k]));
         CHECK(type.family() == "bead");
-        CHECK(type.share() == shares[k]);
+        CHECK(type.share() == fractions[k]);
         CHECK
         (
             type.volume()

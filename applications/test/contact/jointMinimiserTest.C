@@ -108,7 +108,7 @@ TEST_CASE("joint minimiser: those that will touch take part at once", "[contact]
 
 TEST_CASE("joint minimiser: those that are pushed into others join later", "[contact]")
 {
-    // Each gap is wider than a tenth of a radius, so that no sphere is a member before
+    // Each gap is wider than a tenth of a radius, so that no clump is coupled before
     // the one behind it has moved
     const scalar r = 0.5e-6, dt = 1e-4, u = 0.9*r/dt, gap = 0.15*r;
     const label n = 3;

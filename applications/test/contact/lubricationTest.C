@@ -19,8 +19,8 @@ const scalar rho = 1025;        // of the box
 const scalar nu = 1.171e-6;
 
 // Cut-offs in mesh cells of 1 um
-const scalar ofTwo = 0.85e-6;
-const scalar ofWall = 1.3e-6;
+const scalar pairLimit = 0.85e-6;
+const scalar wallLimit = 1.3e-6;
 
 //- Clumps in a fluid that moves with them
 struct wetCloud
@@ -125,7 +125,7 @@ scalar impulse
     const scalar R,
     const scalar g0,
     const scalar g1,
-    const scalar limit = ofTwo
+    const scalar limit = pairLimit
 )
 {
     return
@@ -169,7 +169,7 @@ TEST_CASE("lubrication: two spheres and a sphere at a wall", "[lubrication]")
     CHECK((f[1] & away) == Approx(impulse(0.5*r, g0, h)/dt).epsilon(1e-6));
     CHECK(mag(f[1] - (f[1] & away)*away) < 1e-6*mag(f[1]));
     CHECK(f[2].x() == Approx(impulse(0.5*r, g0, across)/dt).epsilon(1e-6));
-    CHECK(f[4].y() == Approx(impulse(r, g0, w, ofWall)/dt).epsilon(1e-6));
+    CHECK(f[4].y() == Approx(impulse(r, g0, w, wallLimit)/dt).epsilon(1e-6));
     CHECK(mag(f[0] + f[1]) < 1e-12*mag(f[1]));
     CHECK(mag(f[2] + f[3]) < 1e-12*mag(f[2]));
     CHECK(mag(f[5]) == 0);

@@ -61,7 +61,7 @@ vector force(const wallSurface& walls, const point& x)
     vector result(Zero);
     for (const wallSurface::contact& c : walls.contacts(x, r))
     {
-        result += c.share*c.normal*model->force(c.overlap, 0, r, 1e-14);
+        result += c.weight*c.normal*model->force(c.overlap, 0, r, 1e-14);
     }
     return result;
 }
@@ -447,7 +447,7 @@ TEST_CASE("walls: curvature and gap at a cylinder", "[walls][serial]")
         (
             triangles ? c.triangulated() : wallSurface(c.faces, c.points, ghosts)
         );
-        scalar worst = 0, worstShare = 0, worstGap = 0;
+        scalar worst = 0, worstWeight = 0, worstGap = 0;
         for (label k = 0; k < 50; ++k)
         {
             const scalar angle = 0.12*k;
@@ -463,7 +463,7 @@ TEST_CASE("walls: curvature and gap at a cylinder", "[walls][serial]")
             const scalar side = outside ? 1 : -1;
             worst = max(worst, mag(R*tr(f.curvature) - side));
             worst = max(worst, R*mag(f.curvature & vector(0, 0, 1)));
-            worstShare = max(worstShare, mag(f.nearest.share - 1));
+            worstWeight = max(worstWeight, mag(f.nearest.weight - 1));
             const scalar found = 1.2*r - f.nearest.overlap - r;
             worstGap = max
             (
@@ -474,7 +474,7 @@ TEST_CASE("walls: curvature and gap at a cylinder", "[walls][serial]")
         INFO
         (
             (outside ? "post" : "tube") << (triangles ? ", triangles, " : ", ") << n
-            << ": curvature " << worst << " share " << worstShare << " gap "
+            << ": curvature " << worst << " weight " << worstWeight << " gap "
             << worstGap
         );
 
@@ -482,7 +482,7 @@ TEST_CASE("walls: curvature and gap at a cylinder", "[walls][serial]")
         // faces to either side, and z = x^2/(2 R) lacks x^4/(8 R^3)
         CHECK(worst < (n == 24 ? 0.08 : 0.05));
         CHECK(worst < 1.01*last);
-        CHECK(worstShare < 1e-6);
+        CHECK(worstWeight < 1e-6);
         CHECK(worstGap < 1.02*(1 - Foam::cos(1.2*pi/n)));
         last = worst;
     }
@@ -501,7 +501,7 @@ TEST_CASE("walls: curvature at planes, edges, spheres and strips", "[walls][seri
         const auto films(filmsAt(walls, -1.05*r*(e1 ^ e2), r));
         REQUIRE(films.size() == 1);
         CHECK(r*mag(films[0].curvature) < 1e-8);
-        CHECK(films[0].nearest.share == Approx(1));
+        CHECK(films[0].nearest.weight == Approx(1));
         CHECK(films[0].nearest.overlap == Approx(0.15*r));
     }
 
@@ -521,7 +521,7 @@ TEST_CASE("walls: curvature at planes, edges, spheres and strips", "[walls][seri
     for (const wallSurface::film& f : both)
     {
         CHECK(r*mag(f.curvature) < 1e-8);
-        CHECK(f.nearest.share > 0.9);
+        CHECK(f.nearest.weight > 0.9);
     }
 
     // A strip one face wide: curved around, not along

@@ -167,11 +167,11 @@ TEST_CASE("examples: a contact law gives membranes the pressure of the layer",
         selectModel<contactModel>(dictOf("type elasticLayer; " + layer))
     );
     const scalar d = 0.3e-6;
-    const auto p = law->ofSurfaces(d, GENERATE(1e-6, 4e-6));
+    const auto p = law->surfacePressure(d, GENERATE(1e-6, 4e-6));
     CHECK(p.value == Approx(100*d/1e-6));
     CHECK(p.stiffness == Approx(100/1e-6));
     CHECK(p.energy == Approx(50*sqr(d)/1e-6));
-    CHECK(law->ofSurfaces(-d, 1e-6).value == 0);
+    CHECK(law->surfacePressure(-d, 1e-6).value == 0);
 }
 
 

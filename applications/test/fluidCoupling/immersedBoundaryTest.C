@@ -167,7 +167,8 @@ TEST_CASE("boundary: the pressure's level does no work on a clump", "[boundary][
 }
 
 
-TEST_CASE("boundary: the fluid meets a clump in the middle of its step", "[boundary]")
+TEST_CASE("boundary: the fluid is coupled with a clump in the middle of its step",
+    "[boundary]")
 {
     // The centre of the solid volume, before and with the motion; half a mesh cell
     const scalar dt = testTime().deltaTValue();

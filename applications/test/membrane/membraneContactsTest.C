@@ -69,7 +69,7 @@ Pair<vector> wrench(openCloud& cloud, const label id)
         (
             cloud.type(p).hasTriangles()
           ? nodesOf(p).force
-          : vectorField(step.ofOtherKinds.f - (step.ofOtherKinds.k & moved))
+          : vectorField(step.otherKindForces.f - (step.otherKindForces.k & moved))
         );
         const pointField x(p.centres() + moved);
         forAll(f, i)

@@ -165,7 +165,7 @@ turnedSphere::turnedSphere(const scalar ratio, const scalar radius)
             const vector v
             (
                 u[i] + 0.25*K.meanDistance(n)*h[i]*(1 + 1/ratio)/mu*f
-              - K.overlap(n)*h[i]*(1 - 1/ratio)/mu*t[i]
+              - K.correlation(n)*h[i]*(1 - 1/ratio)/mu*t[i]
             );
             stress += mag(S[i])*(t[i] & f);
             exact -= 0.5*mag(S[i])*magSqr(f);

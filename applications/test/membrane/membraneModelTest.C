@@ -142,7 +142,7 @@ TEST_CASE("membrane: exact second derivatives", "[membrane][serial]")
     const pointField x(deformed(m.type, 0.1, random));
     const scalar p = 1.7;
 
-    membraneTangent tangent(m.type.surface(), m.mechanics.rings());
+    membraneTangent tangent(m.type.surface(), m.mechanics.neighbourOrder());
     vectorField unused(x.size(), Zero);
     tangent.clear(true);
     m.mechanics.add(x, unused, &tangent);
@@ -188,7 +188,7 @@ TEST_CASE("membrane: the tangent leaves out what is negative", "[membrane][seria
     for (const scalar stretch : {0.7, 1.3})
     {
         const pointField x(stretch*deformed(m.type, 0.1, random));
-        membraneTangent tangent(m.type.surface(), m.mechanics.rings());
+        membraneTangent tangent(m.type.surface(), m.mechanics.neighbourOrder());
         vectorField unused(x.size(), Zero);
         m.mechanics.add(x, unused, &tangent);
 
@@ -222,7 +222,7 @@ TEST_CASE("membrane: the bending tangent at the spontaneous curvature", "[membra
         "type icosphere; radius 1; subdivisions 3;"
     );
     const pointField& x = m.type.centres();
-    membraneTangent tangent(m.type.surface(), m.mechanics.rings());
+    membraneTangent tangent(m.type.surface(), m.mechanics.neighbourOrder());
     vectorField unused(x.size(), Zero);
     m.mechanics.add(x, unused, &tangent);
 
@@ -313,7 +313,7 @@ TEST_CASE("membrane: viscous forces are the gradient of their potential", "[memb
         return m.mechanics.add(y, unused, tangent, &start);
     };
     const vectorField f(m.mechanics.forces(x, &start));
-    membraneTangent tangent(m.type.surface(), m.mechanics.rings());
+    membraneTangent tangent(m.type.surface(), m.mechanics.neighbourOrder());
     tangent.clear(true);
     potential(x, &tangent);
     const scalar h = 1e-6;
@@ -397,8 +397,11 @@ TEST_CASE("membrane: the layer between the fluids resists any strain in the plan
     const pointField x(m.type.centres());
     const scalar eta = 3;
     const scalar q = 2;
-    const scalar span = 1e-5;
-    membraneModel::motion start{x*(1 - q*span), span, scalarField(x.size(), eta)};
+    const scalar duration = 1e-5;
+    membraneModel::motion start
+    {
+        x*(1 - q*duration), duration, scalarField(x.size(), eta)
+    };
     const vectorField f(m.mechanics.forces(x, &start));
     const scalar power = sum(f & x)*q;
     const scalar area = sum(m.type.surface().nodeAreas(x));

@@ -180,7 +180,7 @@ TEST_CASE("placement of membranes: candidates are judged by their surfaces",
         c.state = clumpState(types[type]);
         return c;
     };
-    const auto meet = [&]
+    const auto overlapping = [&]
     (
         const label a, const label b, const scalar distance, const scalar gap = 0
     )
@@ -192,14 +192,14 @@ TEST_CASE("placement of membranes: candidates are judged by their surfaces",
         return overlap(A, B, types, gap, shift);
     };
     const label capsule = 0, bead = 2;
-    CHECK(meet(capsule, capsule, 5.7e-6));
-    CHECK(!meet(capsule, capsule, 6.4e-6));
-    CHECK(meet(capsule, capsule, 6.4e-6, 0.8e-6));
-    CHECK(meet(capsule, bead, 4.8e-6));
-    CHECK(!meet(capsule, bead, 5.3e-6));
+    CHECK(overlapping(capsule, capsule, 5.7e-6));
+    CHECK(!overlapping(capsule, capsule, 6.4e-6));
+    CHECK(overlapping(capsule, capsule, 6.4e-6, 0.8e-6));
+    CHECK(overlapping(capsule, bead, 4.8e-6));
+    CHECK(!overlapping(capsule, bead, 5.3e-6));
 
     // A bead inside a capsule
-    CHECK(meet(capsule, bead, 0.1e-6));
+    CHECK(overlapping(capsule, bead, 0.1e-6));
 }
 
 

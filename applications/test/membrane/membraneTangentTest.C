@@ -22,7 +22,7 @@ TEST_CASE("membrane: the tangent is positive and solved for", "[membrane][serial
     const testMembrane m(models);
     Random random(5);
     const pointField x(0.8*deformed(m.type, 0.2, random));
-    membraneTangent tangent(m.type.surface(), m.mechanics.rings());
+    membraneTangent tangent(m.type.surface(), m.mechanics.neighbourOrder());
     vectorField unused(x.size(), Zero);
     m.mechanics.add(x, unused, &tangent);
 

@@ -143,7 +143,8 @@ TEST_CASE("immersion: spreading is the transpose of sampling", "[membrane][paral
 }
 
 
-TEST_CASE("immersion: the width of the mesh cells that a node meets", "[membrane][parallel]")
+TEST_CASE("immersion: the width of the mesh cells of the kernel of a node",
+    "[membrane][parallel]")
 {
     // Of nodes on a sphere in a uniform mesh of 1 um. The variance of the kernel is from
     // 1/4 (between two mesh cells) to 1/3 (in the centre of one) along every direction

@@ -84,11 +84,12 @@ TEST_CASE("surface kernels: what a layer lacks beside a sharp surface", "[membra
     const vector n(0, 1, 0);
     CHECK
     (
-        surfaceKernel(dictOf("kernel hat;")).overlap(n) == Approx(7.0/24).epsilon(1e-4)
+        surfaceKernel(dictOf("kernel hat;")).correlation(n)
+     == Approx(7.0/24).epsilon(1e-4)
     );
     CHECK
     (
-        surfaceKernel(dictOf("kernel threePoint;")).overlap(n)
+        surfaceKernel(dictOf("kernel threePoint;")).correlation(n)
      == Approx(0.354386).epsilon(1e-4)
     );
 }
@@ -178,7 +179,7 @@ Eigen::VectorXd planes::weights(const bool upper) const
 scalar planes::error() const
 {
     const scalar length = Foam::hypot(scalar(nx_), scalar(ny_));
-    const scalar s = K_.overlap(n_)*(1 - 1/ratio_);
+    const scalar s = K_.correlation(n_)*(1 - 1/ratio_);
     const Eigen::VectorXd lower(weights(false));
     const Eigen::VectorXd upper(weights(true));
 

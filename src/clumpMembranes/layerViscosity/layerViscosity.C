@@ -32,7 +32,7 @@ Foam::scalar Foam::layerViscosity::addRate
     {
         const triFace& t = triangles[n];
         const scalar sum = start.layer[t[0]] + start.layer[t[1]] + start.layer[t[2]];
-        factors[n] = sum/(3*start.span);
+        factors[n] = sum/(3*start.duration);
     }
     return addRelative(start.from, factors, x, gradient, tangent);
 }

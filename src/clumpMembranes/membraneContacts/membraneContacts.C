@@ -64,9 +64,9 @@ vector coordinatesOf(const triFace& t, const pointField& x, const point& p)
     const vector r(p - x[t[0]]);
     const vector n(a ^ b);
     const scalar size = max(magSqr(n), VSMALL);
-    const scalar ofA = ((r ^ b) & n)/size;
-    const scalar ofB = ((a ^ r) & n)/size;
-    return vector(1 - ofA - ofB, ofA, ofB);
+    const scalar weightA = ((r ^ b) & n)/size;
+    const scalar weightB = ((a ^ r) & n)/size;
+    return vector(1 - weightA - weightB, weightA, weightB);
 }
 
 
@@ -237,7 +237,7 @@ Foam::membraneFilm::response Foam::membraneContacts::law
     const auto film = film_.step(gap, c.start, c.film ? c.radius : 0);
     if (law_.valid())
     {
-        const auto p = law_->ofSurfaces(range_ - gap, c.radius);
+        const auto p = law_->surfacePressure(range_ - gap, c.radius);
         return {p.energy + film.w, p.value + film.p, p.stiffness + film.k};
     }
     const scalar s = max(1 - gap/range_, scalar(0));
@@ -319,7 +319,7 @@ Foam::tmp<Foam::pointField> Foam::membraneContacts::imposed
         return image.x + dt_*(image.u - startU_[a]);
     }
 
-    // Spheres are met in the middle of the step, see deformableCloud
+    // Spheres are coupled with the fluid in the middle of the step, see deformableCloud
     const vector velocity
     (
         type.fixed()
@@ -558,7 +558,7 @@ void Foam::membraneContacts::find
     for (clumpParcel& p : clumps)
     {
         nodesOf(p).contacts.clear();
-        p.step().ofOtherKinds = externalForces();
+        p.step().otherKindForces = externalForces();
         own.set(n++, &p);
     }
     if (range_ <= 0)
@@ -641,7 +641,7 @@ void Foam::membraneContacts::addToSpheres
     DynamicList<nodeContact> contacts;
     DynamicList<label> nearest;
     findSpheres(ghosts, membrane, spheres, contacts, nearest);
-    externalForces& ext = p.step().ofOtherKinds;
+    externalForces& ext = p.step().otherKindForces;
     if (contacts.size() && ext.f.empty())
     {
         ext = externalForces(p.state().x.size());

@@ -13,7 +13,7 @@ Foam::membraneEquilibrium::membraneEquilibrium
 )
 :
     mechanics_(type, dict),
-    minimiser_(type, mechanics_.rings())
+    minimiser_(type, mechanics_.neighbourOrder())
 {
     if (mechanics_.shearStiffness() <= 0)
     {

@@ -52,13 +52,13 @@ Foam::tmp<Foam::surfaceScalarField> Foam::membraneInterior::faceFactor() const
 void Foam::membraneInterior::addSlip
 (
     const UList<clumpImage>& images,
-    const UList<DynamicList<surfaceMeeting>>& meetings,
+    const UList<DynamicList<stencilCell>>& stencils,
     volVectorField& force
 )
 {
     symmTensorField& slip = slip_.primitiveFieldRef();
     slip = Zero;
-    forAll(meetings, a)
+    forAll(stencils, a)
     {
         const clumpImage& image = images[a];
         const vectorField& normals = normals_[a];
@@ -73,9 +73,9 @@ void Foam::membraneInterior::addSlip
         {
             const vector& n = normals[i];
             const vector& F = image.force[i];
-            s[i] = kernel.overlap(n)*part*(F - n*(n & F));
+            s[i] = kernel.correlation(n)*part*(F - n*(n & F));
         }
-        for (const surfaceMeeting& m : meetings[a])
+        for (const stencilCell& m : stencils[a])
         {
             const vector& n = normals[m.node];
             const scalar width = mag(cmptMultiply(widths_[m.celli], n));
@@ -180,7 +180,7 @@ Foam::tmp<Foam::volTensorField> Foam::membraneInterior::strain
 void Foam::membraneInterior::set
 (
     const UList<clumpImage>& images,
-    const UList<DynamicList<surfaceMeeting>>& meetings
+    const UList<DynamicList<stencilCell>>& stencils
 )
 {
     across_ = Zero;
@@ -197,7 +197,7 @@ void Foam::membraneInterior::set
         {
             n.normalise();
         }
-        for (const surfaceMeeting& m : meetings[a])
+        for (const stencilCell& m : stencils[a])
         {
             across_[m.celli] += max(m.weight, scalar(0))*sqr(normals_[a][m.node]);
         }

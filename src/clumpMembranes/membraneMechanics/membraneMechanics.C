@@ -14,7 +14,7 @@ Foam::membraneMechanics::membraneMechanics
 :
     type_(type),
     stressFree_(stressFreeState(type, getDict(dict, "membrane")).positions()),
-    rings_(1)
+    neighbourOrder_(1)
 {
     const dictionary& models = getDict(dict, "membrane");
     for (const word& name : models.toc())
@@ -30,7 +30,7 @@ Foam::membraneMechanics::membraneMechanics
                 getDict(models, name), type.surface(), stressFree_
             ).ptr()
         );
-        rings_ = max(rings_, models_.last().rings());
+        neighbourOrder_ = max(neighbourOrder_, models_.last().neighbourOrder());
     }
     if (models_.empty())
     {

@@ -25,11 +25,11 @@ Foam::vectorField toField(const Eigen::VectorXd& v)
 Foam::membraneMinimiser::membraneMinimiser
 (
     const clumpType& type,
-    const label rings
+    const label neighbourOrder
 )
 :
     type_(type),
-    tangent_(type_.surface(), rings)
+    tangent_(type_.surface(), neighbourOrder)
 {}
 
 
@@ -55,7 +55,7 @@ Foam::scalar Foam::membraneMinimiser::linearise
 bool Foam::membraneMinimiser::solve
 (
     const vectorField& left,
-    const vectorField& ofVolume,
+    const vectorField& volumeGradient,
     membraneFactors& factors,
     Eigen::VectorXd& free
 ) const
@@ -64,7 +64,7 @@ bool Foam::membraneMinimiser::solve
     free.resize(0);
     return
         tangent_.solve(-asVector(left), factors, free)
-     && tangent_.solve(asVector(ofVolume), factors, factors.ofPressure);
+     && tangent_.solve(asVector(volumeGradient), factors, factors.pressureResponse);
 }
 
 
@@ -116,17 +116,17 @@ bool Foam::membraneMinimiser::minimise
     bool maySuffice = true;
     for (label n = 0; n < most && !(maySuffice && change <= allowed); ++n)
     {
-        const vectorField ofVolume(type_.surface().areaVectors(y));
+        const vectorField volumeGradient(type_.surface().areaVectors(y));
         vectorField gradient(y.size());
         const scalar value0 = linearise(phi, y, p, true, gradient);
 
         // What is left with the last pressure: of the whole gradient, even a small
         // error would hide what the volume leaves of it
-        const vectorField left(gradient - p*ofVolume);
+        const vectorField left(gradient - p*volumeGradient);
 
         // The last factors do, unless the tangent has changed too much
         Eigen::VectorXd free;
-        if (!(factors.usable() && solve(left, ofVolume, factors, free)))
+        if (!(factors.usable() && solve(left, volumeGradient, factors, free)))
         {
             if (!factors.factorise(tangent_))
             {
@@ -136,7 +136,7 @@ bool Foam::membraneMinimiser::minimise
                     break;
                 }
             }
-            if (!solve(left, ofVolume, factors, free))
+            if (!solve(left, volumeGradient, factors, free))
             {
                 break;
             }
@@ -144,9 +144,9 @@ bool Foam::membraneMinimiser::minimise
 
         // With the pressure that brings the volume back
         const scalar excess = type_.surface().volume(y) - type_.volume();
-        const auto g = membraneTangent::asVector(ofVolume);
-        const scalar dp = -(excess + g.dot(free))/g.dot(factors.ofPressure);
-        const vectorField dy(toField(free + dp*factors.ofPressure));
+        const auto g = membraneTangent::asVector(volumeGradient);
+        const scalar dp = -(excess + g.dot(free))/g.dot(factors.pressureResponse);
+        const vectorField dy(toField(free + dp*factors.pressureResponse));
         p += dp;
 
         const scalar penalty = 2*mag(p);

@@ -12,8 +12,8 @@ namespace
 using namespace Foam;
 
 //- c of the resistance to a difference between nodes: along the normals, and in space
-constexpr scalar ofNormals = 0.25;
-constexpr scalar ofAll = 0.05;
+constexpr scalar normalCoefficient = 0.25;
+constexpr scalar edgeCoefficient = 0.05;
 
 //- Largest eigenvalue of L in a hexagonal lattice, over 8 mu d/sqrt(3)
 constexpr scalar shortest = 9;
@@ -46,11 +46,11 @@ Foam::membraneStep::membraneStep
 :
     mechanics_(type, dict),
     contacts_(contacts),
-    minimiser_(type, mechanics_.rings())
+    minimiser_(type, mechanics_.neighbourOrder())
 {}
 
 
-void Foam::membraneStep::meet(clumpParcel& p, const pointField& x) const
+void Foam::membraneStep::setFlowGeometry(clumpParcel& p, const pointField& x) const
 {
     nodeFlow& flow = nodesOf(p);
     flow.areaVectors = surface().areaVectors(x);
@@ -66,8 +66,8 @@ Foam::Pair<Foam::scalar> Foam::membraneStep::partsOf
 )
 {
     const scalar q = dt/dt0;
-    const scalar ofLast = starts(p) ? 0 : q/(1 + 2*q);
-    return Pair<scalar>(ofLast, 1 - ofLast);
+    const scalar lastWeight = starts(p) ? 0 : q/(1 + 2*q);
+    return Pair<scalar>(lastWeight, 1 - lastWeight);
 }
 
 
@@ -110,7 +110,7 @@ void Foam::membraneStep::impose
     nodeFlow& nodes = nodesOf(p);
     const clumpState& s = p.state();
     vectorField F(s.nodeForces);
-    if (step.guessed || F.empty())
+    if (step.hasGuess || F.empty())
     {
         const vectorField dx(dt*step.imposedU);
         const membraneModel::motion start(startOf(p, dt, dt0));
@@ -168,7 +168,7 @@ Foam::symmTensorField Foam::membraneStep::resistances
 }
 
 
-Foam::scalarField Foam::membraneStep::resistancesOfAll
+Foam::scalarField Foam::membraneStep::edgeResistances
 (
     const nodeFlow& flow,
     const scalarField& smeared,
@@ -177,7 +177,7 @@ Foam::scalarField Foam::membraneStep::resistancesOfAll
 ) const
 {
     const scalarField zeta(8*mu*flow.areas/mechanics_.type().halfWidth());
-    const scalar edge = ofAll*8*mu*d/Foam::sqrt(scalar(3));
+    const scalar edge = edgeCoefficient*8*mu*d/Foam::sqrt(scalar(3));
 
     // (1/zeta + S)^-1 and L do not exceed 1/S together
     return edge*min(scalar(1), 1/(smeared*shortest*edge*(1 + smeared*zeta)));
@@ -187,25 +187,25 @@ Foam::scalarField Foam::membraneStep::resistancesOfAll
 Foam::scalar Foam::membraneStep::addResistance
 (
     const problem& step,
-    const vectorField& strayed,
+    const vectorField& deviation,
     vectorField& gradient,
     membraneTangent* tangent
 ) const
 {
-    const scalar kn = ofNormals*step.edgeK;
+    const scalar kn = normalCoefficient*step.edgeK;
 
-    vectorField force(step.K & strayed);
+    vectorField force(step.K & deviation);
     for (const closedSurface::hinge& h : surface().hinges())
     {
         const label i = max(h.i, h.j);
         const label j = min(h.i, h.j);
         const vector& ni = step.normals[i];
         const vector& nj = step.normals[j];
-        const scalar along = kn*((ni & strayed[i]) - (nj & strayed[j]));
+        const scalar along = kn*((ni & deviation[i]) - (nj & deviation[j]));
         const scalar k = 0.5*(step.allK[i] + step.allK[j]);
-        const vector ofEdge(k*(strayed[i] - strayed[j]));
-        force[i] += along*ni + ofEdge;
-        force[j] -= along*nj + ofEdge;
+        const vector edgeForce(k*(deviation[i] - deviation[j]));
+        force[i] += along*ni + edgeForce;
+        force[j] -= along*nj + edgeForce;
         if (tangent)
         {
             tangent->add(i, i, asMatrix(kn*(ni*ni) + k*tensor::I));
@@ -221,7 +221,7 @@ Foam::scalar Foam::membraneStep::addResistance
         }
     }
     gradient += force;
-    return 0.5*sum(force & strayed);
+    return 0.5*sum(force & deviation);
 }
 
 
@@ -233,17 +233,17 @@ Foam::scalar Foam::membraneStep::value
     membraneTangent* tangent
 ) const
 {
-    const vectorField strayed(y - step.target);
+    const vectorField deviation(y - step.target);
     const vectorField moved(y - step.x);
     const vectorField given(step.F - step.ext.f);
-    const vectorField ofTethers(step.ext.k & moved);
+    const vectorField tetherForces(step.ext.k & moved);
 
-    gradient = given + ofTethers;
+    gradient = given + tetherForces;
     return
-        addResistance(step, strayed, gradient, tangent)
+        addResistance(step, deviation, gradient, tangent)
       + mechanics_.add(y, gradient, tangent, &step.start)
       + contacts_.add(step.contacts, y - step.imposed, gradient, tangent)
-      + sum((given + 0.5*ofTethers) & moved);
+      + sum((given + 0.5*tetherForces) & moved);
 }
 
 
@@ -278,11 +278,11 @@ void Foam::membraneStep::advance
     {
         n,
         s.x,
-        start.from + start.span*unsmeared,
+        start.from + start.duration*unsmeared,
         flow.force,
-        resistances(flow, n, smeared, resisting)/start.span,
-        8*resisting*d/Foam::sqrt(scalar(3))/start.span,
-        resistancesOfAll(flow, smeared, resisting, d)/start.span,
+        resistances(flow, n, smeared, resisting)/start.duration,
+        8*resisting*d/Foam::sqrt(scalar(3))/start.duration,
+        edgeResistances(flow, smeared, resisting, d)/start.duration,
         p.step().forces,
         start,
         flow.contacts,
@@ -302,7 +302,7 @@ void Foam::membraneStep::advance
     {
         factors.reset(new membraneFactors(minimiser_.tangent()));
     }
-    if (!p.step().guessed)
+    if (!p.step().hasGuess)
     {
         factors->forget();
     }

@@ -9,14 +9,14 @@
 Foam::membraneTangent::membraneTangent
 (
     const closedSurface& surface,
-    const label rings
+    const label neighbourOrder
 )
 :
     lower_(3*surface.nNodes(), 3*surface.nNodes()),
     later_(surface.nNodes())
 {
     const label n = surface.nNodes();
-    const labelListList around(surface.nodesAround(rings));
+    const labelListList around(surface.nodesAround(neighbourOrder));
     std::vector<int> counts(3*n);
     for (label i = 0; i < n; ++i)
     {

@@ -183,7 +183,7 @@ void Foam::membranes::immerse
         if (isOne(p))
         {
             const label typei = p.typeId();
-            steps_[typei].meet(p, image.x);
+            steps_[typei].setFlowGeometry(p, image.x);
             nodeFlow& nodes = nodesOf(p);
             const surfaceKernel& kernel = surfaces_->kernel(typei);
             const scalar ratio = types_[typei].viscosityRatio();
@@ -380,7 +380,7 @@ void Foam::membranes::sharpen
             const scalarField widths(surfaces_->widths(image, nodes.areaVectors));
             forAll(n, i)
             {
-                nodes.u[i] -= kernel.overlap(n[i])*widths[i]*kink[i];
+                nodes.u[i] -= kernel.correlation(n[i])*widths[i]*kink[i];
             }
         }
         const vectorField& F = nodes.force;

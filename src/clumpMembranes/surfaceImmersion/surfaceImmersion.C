@@ -63,7 +63,7 @@ void Foam::surfaceImmersion::meshChanged()
 {
     geometry_.update();
     setWidths();
-    meetings_.clear();
+    stencils_.clear();
     fluids_.reset();
     if (interior_.valid())
     {
@@ -76,10 +76,10 @@ void Foam::surfaceImmersion::meshChanged()
 void Foam::surfaceImmersion::find
 (
     const clumpImage& image,
-    DynamicList<surfaceMeeting>& meetings
+    DynamicList<stencilCell>& stencil
 ) const
 {
-    meetings.clear();
+    stencil.clear();
     const surfaceKernel& K = kernels_[image.typeId];
     const scalar support = K.support();
 
@@ -104,7 +104,7 @@ void Foam::surfaceImmersion::find
             const scalar k = K(r.x()/h.x())*K(r.y()/h.y())*K(r.z()/h.z());
             if (k > 0)
             {
-                meetings.append({i, celli, k*geometry_[celli].volume, r});
+                stencil.append({i, celli, k*geometry_[celli].volume, r});
             }
         }
     }
@@ -114,11 +114,11 @@ void Foam::surfaceImmersion::find
 void Foam::surfaceImmersion::update(ghostExchange& ghosts)
 {
     UList<clumpImage>& images = ghosts.images();
-    meetings_.setSize(images.size());
+    stencils_.setSize(images.size());
     forAll(images, a)
     {
         clumpImage& image = images[a];
-        meetings_[a].clear();
+        stencils_[a].clear();
         const bool surface = types_[image.typeId].hasTriangles();
         image.moments.reset(surface ? image.x.size() : 0);
         if (!surface)
@@ -127,8 +127,8 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
             image.force.clear();
             continue;
         }
-        find(image, meetings_[a]);
-        for (const surfaceMeeting& m : meetings_[a])
+        find(image, stencils_[a]);
+        for (const stencilCell& m : stencils_[a])
         {
             image.moments.m0[m.node] += m.weight;
             image.moments.m1[m.node] += m.weight*m.r;
@@ -146,7 +146,7 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
     forAll(images, a)
     {
         const nodeWeights& w = images[a].weights;
-        for (surfaceMeeting& m : meetings_[a])
+        for (stencilCell& m : stencils_[a])
         {
             m.weight *= w.a[m.node] + (w.b[m.node] & m.r);
         }
@@ -154,7 +154,7 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
     fluids_.set(ghosts);
     if (interior_.valid())
     {
-        interior_->set(images, meetings_);
+        interior_->set(images, stencils_);
     }
 }
 
@@ -194,12 +194,12 @@ void Foam::surfaceImmersion::sample
     ghostExchange& ghosts
 ) const
 {
-    forAll(meetings_, a)
+    forAll(stencils_, a)
     {
         clumpImage& image = ghosts.images()[a];
         image.sampled.setSize(image.weights.a.size());
         image.sampled = Zero;
-        for (const surfaceMeeting& m : meetings_[a])
+        for (const stencilCell& m : stencils_[a])
         {
             image.sampled[m.node] += m.weight*U[m.celli];
         }
@@ -216,7 +216,7 @@ void Foam::surfaceImmersion::sampleShear
 ) const
 {
     const volTensorField strain(interior_->strain(U, mu));
-    forAll(meetings_, a)
+    forAll(stencils_, a)
     {
         clumpImage& image = ghosts.images()[a];
         const vectorField& normals = interior_->normals(a);
@@ -224,7 +224,7 @@ void Foam::surfaceImmersion::sampleShear
         image.sampled = Zero;
         if (normals.size())
         {
-            for (const surfaceMeeting& m : meetings_[a])
+            for (const stencilCell& m : stencils_[a])
             {
                 const vector& n = normals[m.node];
                 const vector t(n & strain[m.celli]);
@@ -240,10 +240,10 @@ void Foam::surfaceImmersion::spread(ghostExchange& ghosts)
 {
     ghosts.updateNodeForces();
     force_.primitiveFieldRef() = Zero;
-    forAll(meetings_, a)
+    forAll(stencils_, a)
     {
         const clumpImage& image = ghosts.images()[a];
-        for (const surfaceMeeting& m : meetings_[a])
+        for (const stencilCell& m : stencils_[a])
         {
             force_[m.celli] +=
                 m.weight/geometry_[m.celli].volume*image.force[m.node];
@@ -251,6 +251,6 @@ void Foam::surfaceImmersion::spread(ghostExchange& ghosts)
     }
     if (interior_.valid())
     {
-        interior_->addSlip(ghosts.images(), meetings_, force_);
+        interior_->addSlip(ghosts.images(), stencils_, force_);
     }
 }

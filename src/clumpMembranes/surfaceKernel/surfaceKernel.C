@@ -48,7 +48,7 @@ Foam::surfaceKernel::plane Foam::surfaceKernel::planeAt(const bool angle) const
             const scalar d = spacing*(c - y);
             const scalar part = W[c + reach]*spacing/nPlaces;
             J += W[c + reach];
-            result.overlap +=
+            result.correlation +=
                 J*(1 - 0.5*(beyond(d) + beyond(d - spacing)))*spacing/nPlaces;
             result.variance += part*sqr(d)/spacing;
             for (label e = -reach; e <= reach; ++e)

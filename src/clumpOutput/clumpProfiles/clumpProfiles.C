@@ -68,8 +68,8 @@ Foam::label Foam::functionObjects::clumpProfiles::bin
     const scalar z
 ) const
 {
-    const scalar share = section_.position(y, z)/section_.width();
-    return min(max(label(share*nBins_), 0), nBins_ - 1);
+    const scalar fraction = section_.position(y, z)/section_.width();
+    return min(max(label(fraction*nBins_), 0), nBins_ - 1);
 }
 
 
@@ -133,13 +133,13 @@ void Foam::functionObjects::clumpProfiles::addMembrane
             // Part of the distance from the centre: between two layers, and their middle
             const scalar s0 = scalar(k)/nLayers;
             const scalar s1 = scalar(k + 1)/nLayers;
-            const scalar share = pow3(s1) - pow3(s0);
-            const scalar s = 0.75*(pow4(s1) - pow4(s0))/share;
+            const scalar fraction = pow3(s1) - pow3(s0);
+            const scalar s = 0.75*(pow4(s1) - pow4(s0))/fraction;
 
             const vector y(centre + s*middle);
             const label i = bin(y.x(), y.y());
-            volumes[i] += V*share;
-            flows[i] += V*share*((1 - s)*uCentre + s*uMiddle);
+            volumes[i] += V*fraction;
+            flows[i] += V*fraction*((1 - s)*uCentre + s*uMiddle);
         }
     }
 }

@@ -120,7 +120,7 @@ void Foam::functionObjects::vtkClumps::collect
 
     all.bonds.kind = vtkSeries::lines;
     all.bonds.points.transfer(ends);
-    all.bonds.ofCells = true;
+    all.bonds.isCellData = true;
     all.bonds.scalars = {{"axialForce", tension}, {"clump", bondClumps}};
 }
 

@@ -256,7 +256,7 @@ void Foam::functionObjects::vtkSeries::writeData
 
     writeCells(format, data, nCells, size);
 
-    if (data.ofCells)
+    if (data.isCellData)
     {
         format.beginCellData();
     }
@@ -272,7 +272,7 @@ void Foam::functionObjects::vtkSeries::writeData
     {
         writeField(format, field.first(), field.second());
     }
-    if (data.ofCells)
+    if (data.isCellData)
     {
         format.endCellData();
     }
@@ -293,7 +293,7 @@ void Foam::functionObjects::vtkSeries::writeList
     const fileNameList& pieces
 )
 {
-    const char* const values = data.ofCells ? "PCellData" : "PPointData";
+    const char* const values = data.isCellData ? "PCellData" : "PPointData";
     std::ofstream os(file);
     os  << "<?xml version='1.0'?>\n"
         << "<VTKFile type='PPolyData' version='0.1'>\n"

@@ -290,11 +290,11 @@ void Foam::completeTime::checkState() const
 
 Foam::completeTime::completeTime(const argList& args)
 :
-    Time(Time::controlDictName, (anyNumber(), setIncompleteAside(args))),
+    Time(Time::controlDictName, (ignoreOverflow(), setIncompleteAside(args))),
     last_(timeName()),
     keep_(0),
     writes_(true),
-    anyNumber_(new anyNumber),
+    ignoreOverflow_(new ignoreOverflow),
     firstStart_(startTime_),
     firstStartFile_
     (
@@ -395,7 +395,7 @@ void Foam::completeTime::setDeltaT(const scalar deltaT, const bool adjust)
 
 void Foam::completeTime::startLoop(const List<double>& sizes) const
 {
-    anyNumber_.clear();
+    ignoreOverflow_.clear();
     endSignal::explainTraps();
     if (!writes_)
     {

@@ -20,21 +20,22 @@ constexpr scalar leastRe = 0.05;
 //- Values on faces: linear, and four thirds of what a cubic polynomial adds
 class faceValues
 {
-    surfaceScalarField ofOwner_;
-    surfaceScalarField ofOwnerGradient_;
-    surfaceScalarField ofNeighbourGradient_;
+    surfaceScalarField ownerWeights_;
+    surfaceScalarField ownerGradientWeights_;
+    surfaceScalarField neighbourGradientWeights_;
     const surfaceVectorField delta_;
 
 public:
 
     explicit faceValues(const fvMesh& mesh)
     :
-        ofOwner_(mesh.surfaceInterpolation::weights()),
-        ofOwnerGradient_(4.0/3.0*sqr(1 - ofOwner_)*ofOwner_),
-        ofNeighbourGradient_(4.0/3.0*sqr(ofOwner_)*(ofOwner_ - 1)),
+        ownerWeights_(mesh.surfaceInterpolation::weights()),
+        ownerGradientWeights_(4.0/3.0*sqr(1 - ownerWeights_)*ownerWeights_),
+        neighbourGradientWeights_(4.0/3.0*sqr(ownerWeights_)*(ownerWeights_ - 1)),
         delta_(mesh.delta())
     {
-        ofOwner_ += 4.0/3.0*ofOwner_*(1 - ofOwner_*(3 - 2*ofOwner_));
+        ownerWeights_ +=
+            4.0/3.0*ownerWeights_*(1 - ownerWeights_*(3 - 2*ownerWeights_));
     }
 
     tmp<surfaceVectorField> operator()(const volVectorField& U) const
@@ -47,13 +48,13 @@ public:
         (
             surfaceInterpolationScheme<tensor>::interpolate
             (
-                gradU, ofOwnerGradient_, ofNeighbourGradient_
+                gradU, ownerGradientWeights_, neighbourGradientWeights_
             )
         );
         return
             surfaceInterpolationScheme<vector>::interpolate
             (
-                U, ofOwner_, 1 - ofOwner_
+                U, ownerWeights_, 1 - ownerWeights_
             )
           + (delta_ & gradient);
     }

@@ -106,7 +106,7 @@ Foam::tmp<Foam::volVectorField> Foam::clumpDisplacement
     label index = 0;
     for (const clumpParcel& p : cloud)
     {
-        // Nodes of surfaces are met at the end of a step
+        // Nodes of surfaces are coupled with the fluid at the end of a step
         const clumpType& type = cloud.type(p);
         from[index] = p.centre(type) - p.sinceMet();
         by[index] =

@@ -75,10 +75,10 @@ Foam::couplingIteration::couplingIteration
 
 void Foam::couplingIteration::refuseLaggingContact() const
 {
-    const bool meet = cloud_.nClumps() > 1 || cloud_.injects();
+    const bool interacting = cloud_.nClumps() > 1 || cloud_.injects();
     if
     (
-        flow_.control().nCorrPIMPLE() == 1 && meet
+        flow_.control().nCorrPIMPLE() == 1 && interacting
      && cloud_.kinds().size()
      && cloud_.motion().decisions().clumpsMayTouch()
     )

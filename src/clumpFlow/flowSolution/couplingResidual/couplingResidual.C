@@ -31,7 +31,7 @@ void Foam::couplingResidual::beginStep()
 }
 
 
-Foam::couplingResidual::flowPower Foam::couplingResidual::ofFlow
+Foam::couplingResidual::flowPower Foam::couplingResidual::pressurePower
 (
     const scalarField& p0
 ) const
@@ -131,7 +131,7 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 
     // Motions that need not be resolved
     const scalar least = 1e-8/flow_.p().time().deltaTValue();
-    const flowPower flow(ofFlow(p0));
+    const flowPower flow(pressurePower(p0));
 
     // Of the clumps: of the change, before and after
     List<scalar> powers(3, scalar(0));
@@ -174,7 +174,7 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
     const scalar floor = sqr(least)*flow.viscosity;
     worst = max(worst, change/max(size, floor));
 
-    const heldMeanVelocity::power gradients(held_.ofGradients());
+    const heldMeanVelocity::power gradients(held_.gradientPower());
     const scalar pressure = gradients.size + max(flow.before, flow.after);
     return Foam::sqrt(max(worst, gradients.change/max(pressure, floor)));
 }

@@ -244,7 +244,7 @@ void Foam::heldMeanVelocity::hold(const fvVectorMatrix& UEqn)
 }
 
 
-Foam::heldMeanVelocity::power Foam::heldMeanVelocity::ofGradients() const
+Foam::heldMeanVelocity::power Foam::heldMeanVelocity::gradientPower() const
 {
     power result{0, 0};
     if (components_.empty())

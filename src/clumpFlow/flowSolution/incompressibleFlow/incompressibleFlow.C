@@ -5,7 +5,7 @@
 
 #include "incompressibleFlow.H"
 #include "fluidsInside.H"
-#include "anyNumber.H"
+#include "ignoreOverflow.H"
 #include "checkedEntries.H"
 #include "findRefCell.H"
 #include "fvcDiv.H"
@@ -119,7 +119,7 @@ void refuseUnphysical(const FieldType& field)
 void Foam::incompressibleFlow::readFields(const fvMesh& mesh)
 {
     // What is too large for the machine becomes infinite, and is refused here
-    const anyNumber overflow;
+    const ignoreOverflow overflow;
     const auto file = [&](const char* name)
     {
         Info<< "Reading field " << name << endl;
@@ -157,7 +157,7 @@ void Foam::incompressibleFlow::startFields(const fvMesh& mesh)
         IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
     );
     {
-        const anyNumber overflow;
+        const ignoreOverflow overflow;
         phi_.reset(new surfaceScalarField(file, fvc::flux(*U_)));
         refuseUnphysical(*phi_);
     }

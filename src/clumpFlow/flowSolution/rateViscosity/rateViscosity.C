@@ -77,7 +77,7 @@ void Foam::rateViscosity::findSolid()
     for (const coveredCells& covered : cloud_.boundary().covered())
     {
         // Fluid passes through a clump that is partly absent
-        if (covered.presence() == 1)
+        if (covered.fadeFactor() == 1)
         {
             for (const coveredCell& c : covered.cells())
             {

@@ -5,7 +5,7 @@
 
 #include "costEstimate.H"
 #include "memInfo.H"
-#include "spokenTime.H"
+#include "readableDuration.H"
 #include "StringStream.H"
 #include <ctime>
 
@@ -26,7 +26,7 @@ string rounded(const scalar value)
 
 void printLine(const char* what, const scalar seconds, const char* gain)
 {
-    Info<< "    " << what << spokenTime(seconds).c_str() << gain << nl;
+    Info<< "    " << what << readableDuration(seconds).c_str() << gain << nl;
 }
 
 }
@@ -78,7 +78,7 @@ Foam::costEstimate::costEstimate
     runTime_(runTime),
     cloud_(cloud),
     wanted_(wanted),
-    span_(runTime.endTime().value() - runTime.value()),
+    remainingTime_(runTime.endTime().value() - runTime.value()),
     setUp_(scalar(std::clock())/CLOCKS_PER_SEC),
     nOuterCorrectors_(nOuterCorrectors)
 {
@@ -111,7 +111,7 @@ void Foam::costEstimate::print
     const timeBreakdown& timing = cloud_.timing();
     const scalar total = clock_.elapsedTime();
     const scalar clumps = min(timing.seconds("clumps")/total, scalar(1))*step;
-    const label n = round(span_/runTime_.deltaTValue());
+    const label n = round(remainingTime_/runTime_.deltaTValue());
     const label peak = returnReduce
     (
         label(memInfo().update().peak()), sumOp<label>()
@@ -123,7 +123,7 @@ void Foam::costEstimate::print
         << "    " << n << " steps of " << rounded(step).c_str() << " s each, start "
         << rounded(setUp_).c_str() << " s: "
         << rounded(n*step + setUp_).c_str() << " s ("
-        << spokenTime(n*step + setUp_).c_str() << ")" << nl;
+        << readableDuration(n*step + setUp_).c_str() << ")" << nl;
     if (cloud_.injects())
     {
         Info<< "    Clumps that enter during the run are not in this estimate: a"

@@ -5,7 +5,7 @@
 
 #include "runMonitor.H"
 #include "clumpTotals.H"
-#include "functionNames.H"
+#include "functionObjectTypes.H"
 #include "logBuffer.H"
 #include "unreadInput.H"
 
@@ -54,7 +54,7 @@ Foam::runMonitor::runMonitor
     layers_(cloud),
     clumpProperties_("clumpProperties", runTime)
 {
-    functionNames::check(runTime);
+    functionObjectTypes::check(runTime);
 }
 
 

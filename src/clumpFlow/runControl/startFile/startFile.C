@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "startFile.H"
-#include "anyNumber.H"
+#include "ignoreOverflow.H"
 #include "Time.H"
 
 Foam::startFile::startFile(const word& name, const Time& time)
@@ -12,7 +12,7 @@ Foam::startFile::startFile(const word& name, const Time& time)
     IOdictionary
     (
         // No floating point trap while it is read
-        (anyNumber(), IOobject
+        (ignoreOverflow(), IOobject
         (
             name, time.constant(), time, IOobject::MUST_READ_IF_MODIFIED,
             IOobject::NO_WRITE

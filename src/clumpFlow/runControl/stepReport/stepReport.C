@@ -8,7 +8,7 @@
 #include "clumpWork.H"
 #include "fvcDiv.H"
 #include "logBuffer.H"
-#include "spokenTime.H"
+#include "readableDuration.H"
 #include "surfaceFields.H"
 
 Foam::scalar Foam::stepReport::since(const clock::time_point& t)
@@ -41,15 +41,15 @@ Foam::stepReport::stepReport
 
 Foam::scalar Foam::stepReport::part() const
 {
-    const scalar span = end_ - firstTime_;
+    const scalar total = end_ - firstTime_;
     const scalar done = runTime_.value() - firstTime_;
-    return done < span ? done/span : 1;
+    return done < total ? done/total : 1;
 }
 
 
 Foam::string Foam::stepReport::left() const
 {
-    return spokenTime((1/part() - 1)*since(start_));
+    return readableDuration((1/part() - 1)*since(start_));
 }
 
 
@@ -76,7 +76,7 @@ void Foam::stepReport::printProgress()
         logBuffer::quieten(false);
         Info<< "Time " << runTime_.timeName() << " of "
             << Time::timeName(end_) << ", " << percent << " %, "
-            << spokenTime(since(start_)).c_str() << ", left " << left().c_str()
+            << readableDuration(since(start_)).c_str() << ", left " << left().c_str()
             << ", " << cloud_.nClumps() << " clumps" << endl;
         logBuffer::quieten(true);
         said_ = clock::now();
@@ -127,7 +127,7 @@ void Foam::stepReport::endStep()
     }
     printOverlaps();
     Info<< "Step " << since(stepStart_) << " s, total "
-        << spokenTime(since(start_)).c_str() << ", left " << left().c_str()
+        << readableDuration(since(start_)).c_str() << ", left " << left().c_str()
         << ", " << cloud_.nClumps() << " clumps" << nl;
     runTime_.printExecutionTime(Info);
 

@@ -47,18 +47,18 @@ Foam::membraneModels::helfrich::helfrich
     surface_(surface),
     stiffness_(getPositive(dict, "bendingStiffness")),
     curvature_(getFiniteOrDefault<scalar>(dict, "spontaneousCurvature", 0)),
-    ring_(surface.nNodes())
+    neighbours_(surface.nNodes())
 {
     checkEntries(dict, {"type", "bendingStiffness", "spontaneousCurvature"});
 
-    forAll(ring_, i)
+    forAll(neighbours_, i)
     {
-        ring_[i].append(i);
+        neighbours_[i].append(i);
     }
     for (const closedSurface::hinge& h : surface.hinges())
     {
-        ring_[h.i].append(h.j);
-        ring_[h.j].append(h.i);
+        neighbours_[h.i].append(h.j);
+        neighbours_[h.j].append(h.i);
     }
 }
 
@@ -90,14 +90,15 @@ Foam::scalar Foam::membraneModels::helfrich::add
         const FixedList<label, 4> nodes(surfaceFold::nodes(h));
         forAll(nodes, n)
         {
-            gradient[nodes[n]] += k*f.ofProduct(n);
+            gradient[nodes[n]] += k*f.productGradient(n);
         }
     }
-    const scalarField ofArea(2*stiffness_*d*(d - 2*M/A)/3);
+    const scalarField areaDerivative(2*stiffness_*d*(d - 2*M/A)/3);
     for (const triFace& t : surface_.triangles())
     {
         const FixedList<vector, 3> g(areaGradient(t, x));
-        const scalar k = ofArea[t[0]] + ofArea[t[1]] + ofArea[t[2]];
+        const scalar k =
+            areaDerivative[t[0]] + areaDerivative[t[1]] + areaDerivative[t[2]];
         forAll(t, n)
         {
             gradient[t[n]] += k*g[n];
@@ -120,47 +121,47 @@ void Foam::membraneModels::helfrich::addTangent
 ) const
 {
     // The gradients of what is squared, 2 sqrt(kappa A) d, by the nodes around
-    List<vectorField> g(ring_.size());
-    forAll(ring_, i)
+    List<vectorField> g(neighbours_.size());
+    forAll(neighbours_, i)
     {
-        g[i] = vectorField(ring_[i].size(), Zero);
+        g[i] = vectorField(neighbours_[i].size(), Zero);
     }
     const auto addTo = [&](const label i, const label node, const vector& v)
     {
-        g[i][ring_[i].find(node)] += v;
+        g[i][neighbours_[i].find(node)] += v;
     };
 
-    const scalarField ofM(2*Foam::sqrt(stiffness_/A));
-    const scalarField ofA(-0.25*ofM*(2*M/A + curvature_));
+    const scalarField dM(2*Foam::sqrt(stiffness_/A));
+    const scalarField dA(-0.25*dM*(2*M/A + curvature_));
     for (const closedSurface::hinge& h : surface_.hinges())
     {
         const surfaceFold f(h, x);
         const FixedList<label, 4> nodes(surfaceFold::nodes(h));
         forAll(nodes, k)
         {
-            const vector v(0.25*f.ofProduct(k));
-            addTo(h.i, nodes[k], ofM[h.i]*v);
-            addTo(h.j, nodes[k], ofM[h.j]*v);
+            const vector v(0.25*f.productGradient(k));
+            addTo(h.i, nodes[k], dM[h.i]*v);
+            addTo(h.j, nodes[k], dM[h.j]*v);
         }
     }
     for (const triFace& t : surface_.triangles())
     {
-        const FixedList<vector, 3> ofTriangle(areaGradient(t, x));
+        const FixedList<vector, 3> triangleGradient(areaGradient(t, x));
         for (const label i : t)
         {
             forAll(t, n)
             {
-                addTo(i, t[n], ofA[i]/3*ofTriangle[n]);
+                addTo(i, t[n], dA[i]/3*triangleGradient[n]);
             }
         }
     }
 
-    forAll(ring_, i)
+    forAll(neighbours_, i)
     {
         const auto v = membraneTangent::asVector(g[i]);
         tangent.addDense
         (
-            ring_[i], ring_[i].size(), Eigen::MatrixXd(v*v.transpose())
+            neighbours_[i], neighbours_[i].size(), Eigen::MatrixXd(v*v.transpose())
         );
     }
 }

@@ -51,6 +51,6 @@ Foam::scalar Foam::membraneModels::surfaceViscosity::addRate
     membraneTangent* tangent
 ) const
 {
-    const scalarField factors(surface().triangles().size(), 1/start.span);
+    const scalarField factors(surface().triangles().size(), 1/start.duration);
     return addRelative(start.from, factors, x, gradient, tangent);
 }

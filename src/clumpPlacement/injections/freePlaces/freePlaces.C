@@ -53,12 +53,12 @@ Foam::freePlaces::freePlaces
 {}
 
 
-Foam::List<Foam::point> Foam::freePlaces::corners(const bool ofInlets) const
+Foam::List<Foam::point> Foam::freePlaces::corners(const bool atInlets) const
 {
     DynamicList<point> result;
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (pp.coupled() || inlets_.found(pp.index()) != ofInlets)
+        if (pp.coupled() || inlets_.found(pp.index()) != atInlets)
         {
             continue;
         }
@@ -150,7 +150,7 @@ void Foam::freePlaces::test
         label index = 0;
         for (const clumpParcel& p : clumps)
         {
-            if (!result[blocked] && !result[met] && box.overlaps(boxes[index]))
+            if (!result[blocked] && !result[conflicting] && box.overlaps(boxes[index]))
             {
                 clumpCandidate other;
                 other.typeId = p.typeId();
@@ -158,7 +158,7 @@ void Foam::freePlaces::test
                 other.state.x = p.state().x;
                 if (overlap(other, c, types_, gap_, shift))
                 {
-                    result[met] = 1;
+                    result[conflicting] = 1;
                 }
             }
             ++index;
@@ -227,11 +227,11 @@ Foam::labelList Foam::freePlaces::find
             isFree = isFree && result[i] > 0;
         }
         nFitting_ += isFree;
-        isFree = isFree && !result[met];
+        isFree = isFree && !result[conflicting];
         for (label other = 0; isFree && allWanted && other < k; ++other)
         {
             isFree =
-                owners[other] < 0 || !meet(candidates[other], candidates[k]);
+                owners[other] < 0 || !conflict(candidates[other], candidates[k]);
         }
         if (isFree)
         {
@@ -242,7 +242,7 @@ Foam::labelList Foam::freePlaces::find
 }
 
 
-bool Foam::freePlaces::meet
+bool Foam::freePlaces::conflict
 (
     const clumpCandidate& a,
     const clumpCandidate& b

@@ -45,7 +45,7 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
         s.mesh, s.ghosts, s.types, patches_, around(lines_.box()),
         getNonNegativeOrDefault(dict, "minGap", 0)
     ),
-    shares_(placement::shares(dict, s.types, s.typeIds)),
+    fractions_(placement::fractions(dict, s.types, s.typeIds)),
     byFlux_(readWeighting(dict)),
     nTries_
     (
@@ -59,15 +59,20 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
     nAtOnce_(1)
 {
     needVelocity(dict);
-    forAll(shares_, typei)
+    forAll(fractions_, typei)
     {
-        if (shares_[typei] > 0 && s.types[typei].fixed())
+        if (fractions_[typei] > 0 && s.types[typei].fixed())
         {
             FatalIOErrorInFunction(dict)
                 << "Clumps of type " << s.types[typei].name()
                 << " do not move; they cannot be injected." << exit(FatalIOError);
         }
-        if (shares_[typei] > 0 && s.types[typei].hasTriangles() && dict.found("velocity"))
+        if
+        (
+            fractions_[typei] > 0
+         && s.types[typei].hasTriangles()
+         && dict.found("velocity")
+        )
         {
             FatalIOErrorInFunction(dict)
                 << "Entry 'velocity': " << s.types[typei].name() << " is a membrane, which"
@@ -104,7 +109,7 @@ Foam::label Foam::patchInjection::typeOf(const label number) const
 {
     return placement::typeAt
     (
-        shares_, random(0, number).sample01<scalar>()
+        fractions_, random(0, number).sample01<scalar>()
     );
 }
 
@@ -189,9 +194,9 @@ void Foam::patchInjection::findFlows()
 Foam::scalar Foam::patchInjection::meanVolume() const
 {
     scalar result = 0;
-    forAll(shares_, typei)
+    forAll(fractions_, typei)
     {
-        result += shares_[typei]*site_.types[typei].nominalVolume();
+        result += fractions_[typei]*site_.types[typei].nominalVolume();
     }
     return result;
 }
@@ -278,9 +283,9 @@ void Foam::patchInjection::checkWidth(const label nPlaces)
     if (nTried_ >= 300)
     {
         scalar widest = 0;
-        forAll(shares_, typei)
+        forAll(fractions_, typei)
         {
-            if (shares_[typei] > 0)
+            if (fractions_[typei] > 0)
             {
                 const clumpType& type = site_.types[typei];
                 widest = max(widest, boundBox(type.centres(), false).mag());
@@ -391,7 +396,7 @@ Foam::label Foam::patchInjection::injectSome
             bool result = owners[k] >= 0;
             for (const label other : taken)
             {
-                result = result && !places_.meet(candidates[other], candidates[k]);
+                result = result && !places_.conflict(candidates[other], candidates[k]);
             }
             return result;
         };

@@ -24,7 +24,7 @@ Foam::clumpPlacements::lattice::lattice
 )
 :
     givenPlaces(dict, types, typeIds),
-    shares_(shares(dict, types, typeIds)),
+    fractions_(fractions(dict, types, typeIds)),
     origin_(getFinite<point>(dict, "origin")),
     spacing_(getFinite<vector>(dict, "spacing")),
     number_(getEntry<labelVector>(dict, "number"))
@@ -49,7 +49,7 @@ Foam::clumpPlacements::lattice::lattice
 
 Foam::label Foam::clumpPlacements::lattice::typeId(const label k) const
 {
-    return typeAt(shares_, std::fmod(0.5 + 0.5*(std::sqrt(5.0) - 1)*k, 1.0));
+    return typeAt(fractions_, std::fmod(0.5 + 0.5*(std::sqrt(5.0) - 1)*k, 1.0));
 }
 
 

@@ -51,14 +51,14 @@ Foam::label Foam::placement::typeId
 }
 
 
-void Foam::placement::addShares
+void Foam::placement::addFractions
 (
     const dictionary& dict,
     const word& name,
     const scalar number,
     const PtrList<clumpType>& types,
     const HashTable<label>& typeIds,
-    scalarList& shares
+    scalarList& fractions
 )
 {
     scalar ofFamily = 0;
@@ -68,20 +68,20 @@ void Foam::placement::addShares
     }
     if (typeIds.found(name) || ofFamily <= 0)
     {
-        shares[typeId(dict, name, typeIds)] += number;
+        fractions[typeId(dict, name, typeIds)] += number;
         return;
     }
     forAll(types, i)
     {
         if (types[i].family() == name)
         {
-            shares[i] += number*types[i].share()/ofFamily;
+            fractions[i] += number*types[i].share()/ofFamily;
         }
     }
 }
 
 
-Foam::scalarList Foam::placement::shares
+Foam::scalarList Foam::placement::fractions
 (
     const dictionary& dict,
     const PtrList<clumpType>& types,
@@ -97,7 +97,7 @@ Foam::scalarList Foam::placement::shares
     }
     if (dict.found("clumpType"))
     {
-        addShares
+        addFractions
         (
             dict, getEntry<word>(dict, "clumpType"), 1, types, typeIds, result
         );
@@ -106,7 +106,7 @@ Foam::scalarList Foam::placement::shares
     const dictionary& given = getDict(dict, "fractions");
     for (const word& name : given.toc())
     {
-        addShares
+        addFractions
         (
             given, name, getBetween(given, name, 0, 1), types, typeIds, result
         );
@@ -121,16 +121,16 @@ Foam::scalarList Foam::placement::shares
 }
 
 
-Foam::label Foam::placement::typeAt(const scalarList& shares, const scalar at)
+Foam::label Foam::placement::typeAt(const scalarList& fractions, const scalar at)
 {
     scalar upTo = 0;
     label last = 0;
-    forAll(shares, typei)
+    forAll(fractions, typei)
     {
-        if (shares[typei] > 0)
+        if (fractions[typei] > 0)
         {
             last = typei;
-            upTo += shares[typei];
+            upTo += fractions[typei];
             if (at < upTo)
             {
                 break;

@@ -71,17 +71,17 @@ Foam::clumpPlacements::random::random
 }
 
 
-Foam::scalarList Foam::clumpPlacements::random::readShares() const
+Foam::scalarList Foam::clumpPlacements::random::readFractions() const
 {
     if (!dict_.found("numbers"))
     {
-        return shares(dict_, types_, typeIds_);
+        return fractions(dict_, types_, typeIds_);
     }
     scalarList result(types_.size(), Zero);
     const dictionary& given = getDict(dict_, "numbers");
     for (const word& name : given.toc())
     {
-        addShares
+        addFractions
         (
             given, name, getNumber(given, name, 1, 10000000), types_, typeIds_,
             result
@@ -96,9 +96,9 @@ Foam::labelList Foam::clumpPlacements::random::numbers
     const scalar volume
 ) const
 {
-    const scalarList shares(readShares());
-    labelList result(shares.size());
-    scalar total = sum(shares);
+    const scalarList fractions(readFractions());
+    labelList result(fractions.size());
+    scalar total = sum(fractions);
 
     word entry("numbers");
     if (!dict_.found(entry))
@@ -106,9 +106,9 @@ Foam::labelList Foam::clumpPlacements::random::numbers
         const bool nominal = dict_.found("haematocrit");
         entry = nominal ? "haematocrit" : "volumeFraction";
         scalar mean = 0;
-        forAll(shares, i)
+        forAll(fractions, i)
         {
-            mean += shares[i]
+            mean += fractions[i]
                *(nominal ? types_[i].nominalVolume() : types_[i].volume());
         }
         total = std::round(getBetween(dict_, entry, 0, 1)*volume/mean);
@@ -118,9 +118,9 @@ Foam::labelList Foam::clumpPlacements::random::numbers
     // Rounded so that the sum is the total
     scalar upTo = 0;
     label before = 0;
-    forAll(shares, i)
+    forAll(fractions, i)
     {
-        upTo += shares[i]/sum(shares)*total;
+        upTo += fractions[i]/sum(fractions)*total;
         result[i] = label(std::round(upTo)) - before;
         before += result[i];
     }

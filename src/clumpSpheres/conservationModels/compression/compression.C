@@ -54,7 +54,7 @@ Foam::conservationModels::compression::compression
 }
 
 
-Foam::scalar Foam::conservationModels::compression::overlap
+Foam::scalar Foam::conservationModels::compression::lensVolume
 (
     const scalar d2,
     const scalar ri,
@@ -110,7 +110,7 @@ Foam::conservationModels::compression::makePair
                 l = max
                 (
                     l,
-                    overlap(magSqr(x[k] - x[end]), radii_[k], radii_[end], area)
+                    lensVolume(magSqr(x[k] - x[end]), radii_[k], radii_[end], area)
                 );
             }
         }
@@ -124,7 +124,7 @@ Foam::conservationModels::compression::makePair
     const scalar v =
         4*constant::mathematical::pi/3*pow3(min(radii_[i], radii_[j]));
     const scalar L0 =
-        min(l, overlap(magSqr(d), radii_[i], radii_[j], area));
+        min(l, lensVolume(magSqr(d), radii_[i], radii_[j], area));
     return pair{i, j, L0, (l - L0)*(v - L0)/max(v - l, 1e-3*v)};
 }
 
@@ -143,7 +143,7 @@ Foam::scalar Foam::conservationModels::compression::volume
         const vector dx(x[p.j] - x[p.i]);
         scalar area;
         const scalar X =
-            overlap(magSqr(dx), radii_[p.i], radii_[p.j], area) - p.L0;
+            lensVolume(magSqr(dx), radii_[p.i], radii_[p.j], area) - p.L0;
         if (X <= 0)
         {
             continue;

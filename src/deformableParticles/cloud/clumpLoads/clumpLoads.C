@@ -174,27 +174,28 @@ bool Foam::clumpLoads::changeHolds
         const clumpType& ct = types_[p.typeId()];
         const symmTensor& along = held(p.typeId());
         clumpStep& step = p.step();
-        const vector strayed
+        const vector deviation
         (
             along & (step.end.centre(ct) - p.state().centre(ct))
         );
-        farthest = max(farthest, mag(strayed)/min(ct.radii()));
+        farthest = max(farthest, mag(deviation)/min(ct.radii()));
 
         // The secant through the last two solutions; before, mass and coupling alone
         const scalar inertia = ct.mass()/dt + sum(step.forces.zeta);
-        const vector change(strayed - step.strayed);
+        const vector change(deviation - step.holdDeviation);
         if (n == 0)
         {
             step.holdStiffness = inertia/dt;
         }
         else if
         (
-            mag(change) > 0.1*mag(step.strayed) && (step.strayed & change) < 0
+            mag(change) > 0.1*mag(step.holdDeviation)
+         && (step.holdDeviation & change) < 0
         )
         {
-            step.holdStiffness *= -(step.strayed & change)/magSqr(change);
+            step.holdStiffness *= -(step.holdDeviation & change)/magSqr(change);
         }
-        step.strayed = strayed;
+        step.holdDeviation = deviation;
     }
     reduce(farthest, maxOp<scalar>());
 
@@ -202,7 +203,7 @@ bool Foam::clumpLoads::changeHolds
     if (farthest > 1e-6 && !again)
     {
         WarningInFunction
-            << "A clump that is held has strayed by " << farthest
+            << "A clump that is held has moved by " << farthest
             << " sphere radii in the step; it is put back." << endl;
     }
     for (clumpParcel& p : clumps)
@@ -211,7 +212,7 @@ bool Foam::clumpLoads::changeHolds
         clumpStep& step = p.step();
         if (again)
         {
-            step.holdForce -= step.holdStiffness*step.strayed;
+            step.holdForce -= step.holdStiffness*step.holdDeviation;
         }
         else
         {
@@ -219,7 +220,7 @@ bool Foam::clumpLoads::changeHolds
             const vector du(held(p.typeId()) & step.end.velocity(ct));
             step.forces.f -=
                 (ct.masses()/dt + step.forces.zeta)*du;
-            step.end.x -= step.strayed;
+            step.end.x -= step.holdDeviation;
             step.end.u -= du;
         }
     }

@@ -174,7 +174,7 @@ void Foam::clumpMotion::solveOnce(const scalar dt)
         {
             momentum_.addStep(type(p), p.state(), step);
         }
-        step.guessed = true;
+        step.hasGuess = true;
     }
     endCorrector(dt);
 }
@@ -185,7 +185,7 @@ void Foam::clumpMotion::advanceAll(const scalar dt)
     for (clumpParcel& p : clumps_)
     {
         clumpStep& step = p.step();
-        if (step.guessed)
+        if (step.hasGuess)
         {
             // Bonds that broke in a solution that was not accepted
             step.end.broken = p.state().broken;
@@ -267,11 +267,11 @@ void Foam::clumpMotion::setSteadyForces
             p, coupling_->interiorForces(p, dt), coupling_->displacedInertia(p, dt)
         );
     }
-    const externalForces& ofOtherKinds = p.step().ofOtherKinds;
-    if (ofOtherKinds.f.size())
+    const externalForces& otherKindForces = p.step().otherKindForces;
+    if (otherKindForces.f.size())
     {
-        ext.f += ofOtherKinds.f;
-        ext.k += ofOtherKinds.k;
+        ext.f += otherKindForces.f;
+        ext.k += otherKindForces.k;
     }
 }
 
@@ -286,7 +286,7 @@ void Foam::clumpMotion::advance(clumpParcel& p, const scalar dt)
     }
     clumpState& end = p.step().end;
     end = p.state();
-    p.step().guessed = false;
+    p.step().hasGuess = false;
     if (type(p).fixed())
     {
         return;
@@ -368,7 +368,7 @@ Foam::scalar Foam::clumpMotion::releaseStep(const scalar radii)
     {
         for (clumpParcel& p : clumps_)
         {
-            p.step().ahead = Zero;
+            p.step().extrapolation = Zero;
         }
         clumps_.updateGhosts();
         loads_.sample(clumps_.ghosts());

@@ -48,7 +48,7 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
     boolList together(clumps_.size(), false);
     for (clumpParcel& p : clumps_)
     {
-        if (!p.step().guessed)
+        if (!p.step().hasGuess)
         {
             p.step().end = p.state();
         }
@@ -72,22 +72,22 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
     for (bool solved = false; !solved || !contacting_.complete; )
     {
         contacting_.addTouching(together, true);
-        bool strayed = false;
-        if (contacting_.mustSolve(solved, strayed))
+        bool deviated = false;
+        if (contacting_.mustSolve(solved, deviated))
         {
             const timeBreakdown::timer t(clumps_.timing(), "clumps");
             nSolves_ += integrator_->advance(contacting_, dt);
             index = 0;
             for (clumpParcel& p : clumps_)
             {
-                p.step().guessed = together[index++];
+                p.step().hasGuess = together[index++];
             }
             solved = true;
             approximate_ = !contacting_.endsStep;
             continue;
         }
 
-        if (!strayed)
+        if (!deviated)
         {
             break;
         }

@@ -5,7 +5,7 @@
 
 #include "clumpProperties.H"
 #include "accuracyLevel.H"
-#include "anyNumber.H"
+#include "ignoreOverflow.H"
 #include "checkedEntries.H"
 #include "clumpKind.H"
 #include "foamCompat.H"
@@ -63,7 +63,7 @@ void complete(dictionary& dict, const dictionary& usual)
 Foam::IOdictionary Foam::readClumpProperties(const fvMesh& mesh)
 {
     // A number too large for the machine becomes infinite, and is refused where it is read
-    const anyNumber overflow;
+    const ignoreOverflow overflow;
     const IOobject io
     (
         "clumpProperties", mesh.time().constant(), mesh, IOobject::MUST_READ,
@@ -83,7 +83,7 @@ Foam::IOdictionary Foam::readClumpProperties(const fvMesh& mesh)
 
 Foam::vector Foam::gravityOf(const fvMesh& mesh)
 {
-    const anyNumber overflow;
+    const ignoreOverflow overflow;
     const uniformDimensionedVectorField g
     (
         IOobject

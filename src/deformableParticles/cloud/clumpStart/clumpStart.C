@@ -126,9 +126,9 @@ void Foam::clumpStart::reportFractions(const clumpSuspension& cloud)
         someFixed = someFixed || types[i].fixed();
         labelList own(types.size(), 0);
         own[i] = numbers[i];
-        const scalar share = volumeFractions(types, own, volume).first();
+        const scalar haematocrit = volumeFractions(types, own, volume).first();
         Info<< "    " << types[i].name() << ": " << numbers[i]
-            << " clumps, haematocrit " << Foam::name(share).c_str() << nl;
+            << " clumps, haematocrit " << Foam::name(haematocrit).c_str() << nl;
     }
     Info<< "Haematocrit " << Foam::name(fractions.first()).c_str()
         << ", volume fraction of the clumps " << (someFixed ? "that move " : "")

@@ -22,22 +22,23 @@ void Foam::clumpSuspension::setOwnImages()
     {
         images[index].set
         (
-            p, type(p), p.state(), index, p.step().ahead, p.step().span
+            p, type(p), p.state(), index,
+            p.step().extrapolation, p.step().extrapolationTime
         );
         ++index;
     }
 }
 
 
-void Foam::clumpSuspension::setPresence()
+void Foam::clumpSuspension::setFadeFactors()
 {
     label index = 0;
     for (clumpParcel& p : *this)
     {
         clumpImage& image = ghosts_.images()[index++];
-        image.presence =
-            type(p).ofSpheres() ? openPatches_.presence(type(p), image.x) : 1;
-        p.step().presence = image.presence;
+        image.fadeFactor =
+            type(p).ofSpheres() ? openPatches_.fadeFactor(type(p), image.x) : 1;
+        p.step().fadeFactor = image.fadeFactor;
     }
 }
 
@@ -50,7 +51,7 @@ void Foam::clumpSuspension::updateGhosts()
     openPatches_.update(ghosts_);
     if (coupled())
     {
-        setPresence();
+        setFadeFactors();
         label index = 0;
         for (const clumpParcel& p : *this)
         {

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpSuspension.H"
-#include "anyNumber.H"
+#include "ignoreOverflow.H"
 #include "clumpProperties.H"
 #include "clumpSource.H"
 #include "fluidCoupling.H"
@@ -18,7 +18,7 @@ Foam::clumpSuspension::clumpSuspension
 )
 :
     // No floating point trap while the base class reads the files
-    Cloud<clumpParcel>((anyNumber(), mesh), name, false),
+    Cloud<clumpParcel>((ignoreOverflow(), mesh), name, false),
     mesh_(mesh),
     dict_(completeClumpProperties(mesh, dict)),
     g_(gravityOf(mesh)),

@@ -44,7 +44,7 @@ Foam::vector Foam::excessMomentum(const clumpSuspension& clumps)
             continue;
         }
         result +=
-            p.step().presence
+            p.step().fadeFactor
            *sum
             (
                 ct.masses()*s.u - clumps.fluidDensity()*ct.volumes()*(s.u - dt*s.a)

@@ -118,7 +118,7 @@ void Foam::deformableCloud::evolve
 {
     if (!coupled())
     {
-        lookAhead();
+        extrapolatePositions();
         updateGhosts();
     }
     gatherForces(U, p, nu);

@@ -7,15 +7,15 @@
 #include "clumpMotion.H"
 #include "fluidCoupling.H"
 
-void Foam::deformableCloud::lookAhead()
+void Foam::deformableCloud::extrapolatePositions()
 {
     const scalar dt = mesh_.time().deltaTValue();
     for (clumpParcel& p : *this)
     {
         // See clumpKind
         const bool nodes = kind(p);
-        p.step().ahead = (nodes ? 1 : 0.5)*dt*velocityOverMesh(p);
-        p.step().span = nodes ? dt : 0;
+        p.step().extrapolation = (nodes ? 1 : 0.5)*dt*velocityOverMesh(p);
+        p.step().extrapolationTime = nodes ? dt : 0;
     }
 }
 
@@ -35,7 +35,7 @@ void Foam::deformableCloud::immerse
     }
     if (moving)
     {
-        lookAhead();
+        extrapolatePositions();
     }
     const bool films = motion().decisions().mayLubricate();
     scalar range = 0;
@@ -63,14 +63,14 @@ void Foam::deformableCloud::immerse
         }
     }
     coupling_->boundary().update(ghosts_.images(), nu);
-    ghosts_.returnTensions();
+    ghosts_.returnConstraints();
     label index = 0;
     for (clumpParcel& p : *this)
     {
-        const tensionForces& tension = ghosts_.images()[index++].tension;
-        p.step().solidVolumes = tension.solidVolumes;
-        p.step().solidMoments = tension.solidMoments;
-        p.step().solidInertias = tension.solidInertias;
+        const constraintForces& constraint = ghosts_.images()[index++].constraint;
+        p.step().solidVolumes = constraint.solidVolumes;
+        p.step().solidMoments = constraint.solidMoments;
+        p.step().solidInertias = constraint.solidInertias;
     }
     if (moving)
     {
@@ -140,7 +140,7 @@ void Foam::deformableCloud::impose()
     for (label i = 0; i < ghosts_.nOwn(); ++i)
     {
         clumpImage& image = ghosts_.images()[i];
-        image.contraction = image.tension.contraction(image.u, image.omega);
+        image.contraction = image.constraint.contraction(image.u, image.omega);
     }
     ghosts_.updateVelocities();
     coupling_->boundary().impose(ghosts_.images());

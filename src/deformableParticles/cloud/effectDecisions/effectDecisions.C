@@ -117,7 +117,7 @@ void Foam::effectDecisions::decideContact()
     {
         effects_.decide("contact", false, "contactModel none");
     }
-    else if (clumps_.nClumps() < 2 && !clumps_.ghosts().meetsItself())
+    else if (clumps_.nClumps() < 2 && !clumps_.ghosts().reachesOwnImage())
     {
         effects_.decide
         (

@@ -113,7 +113,7 @@ Foam::scalar Foam::openPatches::gap
 }
 
 
-Foam::scalar Foam::openPatches::presence
+Foam::scalar Foam::openPatches::fadeFactor
 (
     const scalar gap,
     const scalar fadeLength
@@ -188,7 +188,7 @@ Foam::openPatches::place Foam::openPatches::nearest
 }
 
 
-Foam::scalar Foam::openPatches::presence
+Foam::scalar Foam::openPatches::fadeFactor
 (
     const clumpType& type,
     const pointField& x
@@ -199,5 +199,5 @@ Foam::scalar Foam::openPatches::presence
         return 1;
     }
     const scalar length = fadeLength(type);
-    return presence(nearest(type, x, length).gap, length);
+    return fadeFactor(nearest(type, x, length).gap, length);
 }

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sceneScales.H"
-#include "anyNumber.H"
+#include "ignoreOverflow.H"
 #include "clumpSuspension.H"
 #include "IOdictionary.H"
 #include "mathematicalConstants.H"
@@ -15,11 +15,11 @@ namespace
 using namespace Foam;
 
 //- rho (nu/D)^2 times this is 64 Pa for red cells in plasma
-const scalar ofViscosity = 2.5;
+const scalar viscousFactor = 2.5;
 
 //- The axial stiffness of the bonds over their cross section times this is 60 Pa for the
 //  fitted healthy red cell
-const scalar ofBonds = 4;
+const scalar bondFactor = 4;
 
 //- Ratios of the densities of clumps and fluid beyond which one of them is in another
 //  unit; a grain in air has 2000
@@ -30,7 +30,7 @@ const scalar largestDensityRatio = 1e4;
 //- constant/transportProperties
 IOdictionary transportProperties(const fvMesh& mesh)
 {
-    const anyNumber overflow;
+    const ignoreOverflow overflow;
     return IOdictionary
     (
         IOobject
@@ -131,18 +131,18 @@ void warnOfCoarseMesh(const clumpSuspension& cloud, const fvMesh& mesh)
 //  must be in other units than metres
 void refuseWide(const clumpSuspension& cloud, const fvMesh& mesh)
 {
-    const scalar span = mesh.bounds().mag();
+    const scalar diagonal = mesh.bounds().mag();
     for (const clumpType& type : cloud.types())
     {
         const scalar width = 2*(type.hasTriangles() ? type.reach() : max(type.radii()));
-        if (!type.fixed() && width > span)
+        if (!type.fixed() && width > diagonal)
         {
             OStringStream os;
             os.precision(3);
-            os  << "Clump type " << type.name() << " is " << width/span
+            os  << "Clump type " << type.name() << " is " << width/diagonal
                 << " times wider than the mesh: "
                 << (type.hasTriangles() ? "its surface" : "a sphere of it") << " is "
-                << width << " m wide, and the diagonal of the mesh is " << span
+                << width << " m wide, and the diagonal of the mesh is " << diagonal
                 << " m long. All units are SI: check the lengths of the entry 'shape' and"
                 << " the scale of the mesh.";
             FatalIOErrorInFunction
@@ -182,17 +182,17 @@ Foam::scalar Foam::contactStress
 {
     scalar density = 0;
     scalar width = GREAT;
-    scalar ofElasticity = 0;
+    scalar elasticStress = 0;
     forAll(types, i)
     {
         density = max(density, types[i].mass()/types[i].volume());
         width = min(width, 2*types[i].reach());
         for (const clumpBonds::bond& b : bonds[i].bonds())
         {
-            ofElasticity = max
+            elasticStress = max
             (
-                ofElasticity,
-                ofBonds*b.stiffness.normal*b.length
+                elasticStress,
+                bondFactor*b.stiffness.normal*b.length
                /(constant::mathematical::pi*sqr(b.radius))
             );
         }
@@ -210,17 +210,17 @@ Foam::scalar Foam::contactStress
     if (effects.active("fluid"))
     {
         const IOdictionary transport(transportProperties(mesh));
-        const dictionary& ofDensity =
+        const dictionary& densityDict =
             transport.found("rho") ? static_cast<const dictionary&>(transport) : clumpProperties;
-        if (!ofDensity.found("rho"))
+        if (!densityDict.found("rho"))
         {
             // It is asked for below
             return 1;
         }
-        const scalar rho = getPositive(ofDensity, "rho", dimDensity);
+        const scalar rho = getPositive(densityDict, "rho", dimDensity);
         consider
         (
-            ofViscosity*rho*sqr(viscosity(transport)/width), "that of a viscous flow"
+            viscousFactor*rho*sqr(viscosity(transport)/width), "that of a viscous flow"
         );
     }
     consider
@@ -231,7 +231,7 @@ Foam::scalar Foam::contactStress
     consider(density*sqr(givenSpeed(clumpProperties)), "that of an impact");
     if (stress == 0)
     {
-        consider(ofElasticity, "four times the stiffness of the bonds");
+        consider(elasticStress, "four times the stiffness of the bonds");
     }
     if (stress == 0)
     {

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clumpFields.H"
-#include "anyNumber.H"
+#include "ignoreOverflow.H"
 #include "Cloud.H"
 #include "compactFieldReader.H"
 #include "compactFieldWriter.H"
@@ -333,7 +333,7 @@ void Foam::clumpFields::read
 )
 {
     // What is too large for the machine becomes infinite, and is refused here
-    const anyNumber overflow;
+    const ignoreOverflow overflow;
 
     // Before OpenFOAM reads and takes them as they are
     label i = 0;

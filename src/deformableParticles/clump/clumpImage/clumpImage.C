@@ -11,8 +11,8 @@ void Foam::clumpImage::set
     const clumpType& type,
     const clumpState& s,
     const label parcelIndex,
-    const vector& ahead,
-    const scalar span
+    const vector& extrapolation,
+    const scalar extrapolationTime
 )
 {
     owner = Pstream::myProcNo();
@@ -22,7 +22,7 @@ void Foam::clumpImage::set
     id = labelPair(p.origProc(), p.origId());
     pieceOf = p.pieceOf();
     shift = Zero;
-    presence = 1;
+    fadeFactor = 1;
 
     const point centre(p.position());
     x.setSize(s.x.size());
@@ -32,14 +32,14 @@ void Foam::clumpImage::set
     contraction = 0;
     slack = 0;
     box = boundBox::invertedBox;
-    const bool deforms = span > 0;
+    const bool deforms = extrapolationTime > 0;
     const vector velocity(deforms ? s.velocity(type) : vector::zero);
     forAll(x, i)
     {
-        x[i] = s.x[i] + centre + ahead;
+        x[i] = s.x[i] + centre + extrapolation;
         if (deforms)
         {
-            x[i] += span*(s.u[i] - velocity);
+            x[i] += extrapolationTime*(s.u[i] - velocity);
         }
         box.add(x[i] - type.radii()[i]*vector::one);
         box.add(x[i] + type.radii()[i]*vector::one);
@@ -59,7 +59,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
         << i.typeId << token::SPACE << i.id << token::SPACE
         << i.pieceOf << token::SPACE << i.shift
         << token::SPACE << i.x << token::SPACE << i.u << token::SPACE
-        << i.omega << token::SPACE << i.box << token::SPACE << i.presence
+        << i.omega << token::SPACE << i.box << token::SPACE << i.fadeFactor
         << token::SPACE << i.slack;
 }
 
@@ -67,7 +67,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
 Foam::Istream& Foam::operator>>(Istream& is, clumpImage& i)
 {
     is  >> i.owner >> i.index >> i.typeId >> i.id >> i.pieceOf >> i.shift >> i.x >> i.u
-        >> i.omega >> i.box >> i.presence >> i.slack;
+        >> i.omega >> i.box >> i.fadeFactor >> i.slack;
     i.original = false;
     i.contraction = 0;
     i.clearForces();

@@ -75,15 +75,15 @@ void Foam::clumpParcel::accept
     const vector& dU
 )
 {
-    sinceMet_ = step_.end.centre(type) - state_.centre(type) - s - step_.ahead;
+    sinceMet_ = step_.end.centre(type) - state_.centre(type) - s - step_.extrapolation;
     const vector change(step_.end.velocity(type) - state_.velocity(type));
     const scalar along = (change & dU)/max(magSqr(dU), VSMALL);
     const scalar shared = min(max(along, scalar(0)), scalar(1));
     accelerationBefore_ = acceleration_;
     acceleration_ = (change - shared*dU)/mesh().time().deltaTValue();
     state_ = step_.end;
-    step_.ahead = Zero;
-    step_.span = 0;
+    step_.extrapolation = Zero;
+    step_.extrapolationTime = 0;
 }
 
 
@@ -108,7 +108,7 @@ void Foam::clumpParcel::becomePiece
     accelerationBefore_ = Zero;
 
     clumpStep step;
-    step.presence = step_.presence;
+    step.fadeFactor = step_.fadeFactor;
     step.begin(state_);
     step.end = state_;
     if (step_.forces.f.size())

@@ -227,16 +227,16 @@ void Foam::clumpType::setSurfaceMasses(const scalar density)
 {
     volume_ = surface_->volume(centres_);
     const scalar area = surface_->area(centres_);
-    const scalarField share(surface_->nodeAreas(centres_)/area);
+    const scalarField fractions(surface_->nodeAreas(centres_)/area);
 
-    masses_ = density*volume_*share;
-    volumes_ = volume_*share;
+    masses_ = density*volume_*fractions;
+    volumes_ = volume_*fractions;
     inertias_ = scalarField(size(), Zero);
-    centres_ -= sum(share*centres_);
+    centres_ -= sum(fractions*centres_);
     smoothVolume_ = volume_;
 
     halfWidth_ = 3*volume_/area;
-    dragRadii_ = 4*area*share/(3*constant::mathematical::pi*halfWidth_);
+    dragRadii_ = 4*area*fractions/(3*constant::mathematical::pi*halfWidth_);
     bodyRadii_ = scalarField(size(), halfWidth_);
     transitions_ = radii_;
 }
@@ -301,7 +301,7 @@ void Foam::clumpType::setMasses
     }
     const scalarField cubes(pow3(radii_));
     const scalar mass = givenMass(dict, constant::mathematical::pi*4.0/3.0*sum(cubes));
-    scalarField share(cubes/sum(cubes));
+    scalarField fractions(cubes/sum(cubes));
 
     // Neither full spheres nor those that stand for something larger are the body
     const bool isBody =
@@ -313,15 +313,15 @@ void Foam::clumpType::setMasses
         (
             centres_, radii_, body.centre, body.inertia()/body.volume, body.accuracy
         );
-        share = ofBody.masses();
-        gyration_ = sum(ofBody.inertias())/sum(share*sqr(radii_));
+        fractions = ofBody.masses();
+        gyration_ = sum(ofBody.inertias())/sum(fractions*sqr(radii_));
     }
-    masses_ = mass*share;
+    masses_ = mass*fractions;
     inertias_ = gyration_*masses_*sqr(radii_);
-    volumes_ = volume_*share;
+    volumes_ = volume_*fractions;
     if (dict.found("inertia"))
     {
-        setInertia(dict, mass, isBody ? body.centre : sum(share*centres_));
+        setInertia(dict, mass, isBody ? body.centre : sum(fractions*centres_));
     }
 
     dragRadii_ = radii_;

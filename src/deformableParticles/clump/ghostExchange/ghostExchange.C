@@ -111,7 +111,7 @@ const Foam::boundBox& Foam::ghostExchange::localBox() const
 }
 
 
-bool Foam::ghostExchange::meetsItself() const
+bool Foam::ghostExchange::reachesOwnImage() const
 {
     const scalar largest = max(reaches_);
     for (label s = 1; s < shifts_.size(); ++s)
@@ -514,9 +514,9 @@ void Foam::ghostExchange::returnForces()
 }
 
 
-void Foam::ghostExchange::returnTensions()
+void Foam::ghostExchange::returnConstraints()
 {
-    returnSums(&clumpImage::tension);
+    returnSums(&clumpImage::constraint);
 }
 
 

@@ -20,7 +20,7 @@ typedef Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> matrix;
 constexpr scalar least = 0.1;
 
 //- Weight of mass and centre against the moments of inertia, where not all can be met
-constexpr scalar ofMass = 100;
+constexpr scalar massWeight = 100;
 
 //- What a condition may be missed by, for a given change: directions in which the spheres
 //  hardly differ, as those across a chain that is nearly straight, are not used
@@ -141,7 +141,7 @@ Foam::massDistribution::massDistribution
         const vector r((centres[i] - centre)/length);
         const symmTensor J(magSqr(r)*symmTensor(I) - sqr(r));
         A.col(i) <<
-            ofMass, ofMass*r.x(), ofMass*r.y(), ofMass*r.z(),
+            massWeight, massWeight*r.x(), massWeight*r.y(), massWeight*r.z(),
             components(W*asMatrix(J)*W);
         v0[i] = masses_[i];
         D[i] = masses_[i];
@@ -150,13 +150,13 @@ Foam::massDistribution::massDistribution
     v0[n] = 0.4*sum(masses_*sqr(radii))/sqr(length);
     D[n] = sqr(v0[n]);
     condition b;
-    b   << ofMass, 0, 0, 0, components(Eigen::Matrix3d::Identity());
+    b   << massWeight, 0, 0, 0, components(Eigen::Matrix3d::Identity());
 
     // What is met already
     const condition start(A*v0);
     for (label k = 0; k < 10; ++k)
     {
-        if (mag(b[k] - start[k]) < accuracy*(k < 4 ? ofMass : 1))
+        if (mag(b[k] - start[k]) < accuracy*(k < 4 ? massWeight : 1))
         {
             b[k] = start[k];
         }

@@ -27,13 +27,13 @@ dictionary scaled
     const dictionary& entry,
     const word& family,
     const scalar factor,
-    const scalar share
+    const scalar fraction
 )
 {
     dictionary result(entry);
     result.remove("sizes");
     setExact(result, "scale", factor);
-    setExact(result, "share", share);
+    setExact(result, "share", fraction);
     result.set("classOf", family);
     for (const word key : {"nominalVolume", "mass"})
     {
@@ -122,7 +122,7 @@ void Foam::sizeClasses::setLognormal(const dictionary& dict)
     const scalar first = -2.5;
     const scalar width = (5 + 3*s)/n;
     radii_.setSize(n);
-    shares_.setSize(n);
+    fractions_.setSize(n);
     for (label k = 0; k < n; ++k)
     {
         const scalar low = k > 0 ? first + k*width : -GREAT;
@@ -138,9 +138,9 @@ void Foam::sizeClasses::setLognormal(const dictionary& dict)
               ? normalBelow(-a) - normalBelow(-b)
               : normalBelow(b) - normalBelow(a);
         };
-        shares_[k] = between(0);
+        fractions_[k] = between(0);
         radii_[k] =
-            middle*std::exp(1.5*sqr(s))*Foam::cbrt(between(3*s)/shares_[k]);
+            middle*std::exp(1.5*sqr(s))*Foam::cbrt(between(3*s)/fractions_[k]);
     }
 }
 
@@ -149,12 +149,12 @@ void Foam::sizeClasses::setList(const dictionary& dict)
 {
     checkEntries(dict, {"distribution", "radii", "fractions"});
     radii_ = getFiniteList<scalar>(dict, "radii");
-    shares_ = getFiniteList<scalar>(dict, "fractions");
-    if (radii_.empty() || radii_.size() != shares_.size())
+    fractions_ = getFiniteList<scalar>(dict, "fractions");
+    if (radii_.empty() || radii_.size() != fractions_.size())
     {
         FatalIOErrorInFunction(dict)
             << "Entries 'radii' and 'fractions' need one fraction for every radius;"
-            << " there are " << radii_.size() << " radii and " << shares_.size()
+            << " there are " << radii_.size() << " radii and " << fractions_.size()
             << " fractions." << exit(FatalIOError);
     }
     forAll(radii_, k)
@@ -166,11 +166,11 @@ void Foam::sizeClasses::setList(const dictionary& dict)
                 << " larger than the one before." << exit(FatalIOError);
         }
     }
-    if (min(shares_) <= 0 || mag(sum(shares_) - 1) > 1e-6)
+    if (min(fractions_) <= 0 || mag(sum(fractions_) - 1) > 1e-6)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'fractions' is " << shares_ << "; they must be above zero and"
-            << " together make 1, not " << sum(shares_) << '.' << exit(FatalIOError);
+            << "Entry 'fractions' is " << fractions_ << "; they must be above zero and"
+            << " together make 1, not " << sum(fractions_) << '.' << exit(FatalIOError);
     }
 }
 
@@ -203,7 +203,7 @@ Foam::dictionary Foam::sizeClasses::expanded(const dictionary& types)
                 scaled
                 (
                     e.dict(), e.keyword(), classes.radii()[k]/r,
-                    classes.shares()[k]
+                    classes.fractions()[k]
                 )
             );
         }

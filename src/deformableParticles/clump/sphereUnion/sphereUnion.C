@@ -206,7 +206,7 @@ Foam::bodyMoments Foam::sphereUnion::moments
     // The columns give what the overlaps take off the sum of the spheres
     integrals part;
     integrals whole;
-    forEachSpan
+    forEachInterval
     (
         centres, radii, dx, dy,
         [&]
@@ -295,16 +295,16 @@ Foam::scalar Foam::sphereUnion::smoothVolume
         {
             const vector d(x[j] - x[i]);
             const scalar d2 = magSqr(d);
-            const scalar touch = r + radii[j];
-            if (j == i || d2 >= sqr(1.5*touch) || d2 <= sqr(1e-6*r))
+            const scalar contactDistance = r + radii[j];
+            if (j == i || d2 >= sqr(1.5*contactDistance) || d2 <= sqr(1e-6*r))
             {
                 continue;
             }
             planes.emplace_back();
             dividingPlane& plane = planes.back();
             plane.j = j;
-            plane.w = weightOfPlane(Foam::sqrt(d2)/touch, plane.slope);
-            plane.slope /= touch;
+            plane.w = weightOfPlane(Foam::sqrt(d2)/contactDistance, plane.slope);
+            plane.slope /= contactDistance;
             plane.a = max(0.5*(d2 + sqr(r) - sqr(radii[j])), 1e-6*sqr(r));
             const vector along(r/plane.a*(T & d));
             plane.y =

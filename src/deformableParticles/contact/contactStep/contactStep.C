@@ -23,7 +23,7 @@ Foam::contactStep::contactStep
     walls_(walls),
     gaps_(gaps),
     ghosts_(mesh),
-    span_(0),
+    wholeDt_(0),
     dt_(0),
     range_(0),
     rubs_(contacts.laws().frictional() || walls.laws().frictional())
@@ -32,16 +32,16 @@ Foam::contactStep::contactStep
 }
 
 
-void Foam::contactStep::addMember(const label a)
+void Foam::contactStep::addCoupled(const label a)
 {
     clumpParcel& p = clumps_[a];
-    isMember_[a] = 1;
+    isCoupled_[a] = 1;
     clumpOf_.append(a);
-    members_.append
+    coupled_.append
     (
         {
             &bonds_[p.typeId()], &p.step().forces,
-            &p.state(), &p.step().end, p.step().guessed, vectorField(),
+            &p.state(), &p.step().end, p.step().hasGuess, vectorField(),
             vectorField()
         }
     );
@@ -58,7 +58,7 @@ Foam::scalar Foam::contactStep::clearance(const label a) const
     const label end = type(a).fixed() ? begins_[a] : begins_[a + 1];
     for (label k = begins_[a]; k < end && result >= 0; ++k)
     {
-        const touch& t = touches_[k];
+        const sphereContact& t = sphereContacts_[k];
         const vector dx(displacement(t));
         const scalar gap =
             t.b < 0
@@ -76,14 +76,14 @@ void Foam::contactStep::addTouching(UList<bool>& together, const bool andNear)
 
     for (label a = 0; a < clumps_.size(); ++a)
     {
-        if (!isMember_[a])
+        if (!isCoupled_[a])
         {
             const scalar least = clearance(a);
-            hasNewMembers_ = hasNewMembers_ || least < 0;
+            hasNewCoupled_ = hasNewCoupled_ || least < 0;
             together[a] = together[a] || least < (andNear ? margin(a) : 0);
             if (together[a])
             {
-                addMember(a);
+                addCoupled(a);
             }
         }
     }
@@ -94,7 +94,7 @@ bool Foam::contactStep::incomplete() const
 {
     forAll(slacks_, a)
     {
-        if (deviation(a) > slacks_[a] || (!isMember_[a] && clearance(a) < 0))
+        if (deviation(a) > slacks_[a] || (!isCoupled_[a] && clearance(a) < 0))
         {
             return true;
         }
@@ -115,36 +115,36 @@ Foam::scalar Foam::contactStep::deviation(const label a) const
         for (label i = 0; solved && i < start.x.size(); ++i)
         {
             result =
-                max(result, mag(end.x[i] - start.x[i] - span_*start.u[i]));
+                max(result, mag(end.x[i] - start.x[i] - wholeDt_*start.u[i]));
         }
     }
     return result;
 }
 
 
-bool Foam::contactStep::mustSolve(const bool solved, bool& strayed)
+bool Foam::contactStep::mustSolve(const bool solved, bool& deviated)
 {
     // Where some touched before in this step, they nearly always do so again
-    strayed = false;
+    deviated = false;
     if (solved || !touched_)
     {
         // One exchange for both
-        vector2D any(hasNewMembers_, 0);
+        vector2D any(hasNewCoupled_, 0);
         forAll(slacks_, a)
         {
             any.y() = any.y() > 0 || deviation(a) > slacks_[a];
         }
         reduce(any, maxOp<vector2D>());
 
-        strayed = any.y() > 0;
+        deviated = any.y() > 0;
         touched_ = any.x() > 0 || touched_;
-        if (strayed || any.x() <= 0)
+        if (deviated || any.x() <= 0)
         {
             return false;
         }
     }
-    hasNewMembers_ = false;
-    remote_.exchange(isMember_);
+    hasNewCoupled_ = false;
+    remote_.exchange(isCoupled_);
     return true;
 }
 
@@ -162,9 +162,9 @@ void Foam::contactStep::widen()
 Foam::boolList Foam::contactStep::passing() const
 {
     boolList result(clumps_.size(), false);
-    for (const touch& t : touches_)
+    for (const sphereContact& t : sphereContacts_)
     {
-        if (t.b >= 0 && isMember_[t.a])
+        if (t.b >= 0 && isCoupled_[t.a])
         {
             const vector x(before(t));
             const vector dx(displacement(t));
@@ -182,17 +182,17 @@ Foam::boolList Foam::contactStep::passing() const
 
 void Foam::contactStep::addReceived()
 {
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
         // Those that only came near were not solved for where none touched
         externalForces& forces = clumps_[clumpOf_[m]].step().forces;
-        if (members_[m].received.size())
+        if (coupled_[m].received.size())
         {
-            forces.f += members_[m].received;
+            forces.f += coupled_[m].received;
         }
-        if (members_[m].receivedTorques.size())
+        if (coupled_[m].receivedTorques.size())
         {
-            forces.t += members_[m].receivedTorques;
+            forces.t += coupled_[m].receivedTorques;
         }
     }
 }

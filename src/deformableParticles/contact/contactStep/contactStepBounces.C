@@ -24,7 +24,7 @@ constexpr scalar longest = 10;
 constexpr scalar leastStokes = 10;
 
 //- Share below which a contact is left to its neighbours
-constexpr scalar leastShare = 1e-6;
+constexpr scalar leastWeight = 1e-6;
 
 
 //- Time in which a gap closes at this speed and acceleration
@@ -38,7 +38,7 @@ scalar closing(const scalar gap, const scalar v, const scalar a)
 }
 
 
-Foam::scalar Foam::contactStep::wholeMass(const touch& t) const
+Foam::scalar Foam::contactStep::wholeMass(const sphereContact& t) const
 {
     const clumpType& own = type(t.a);
     if (t.b < 0)
@@ -53,7 +53,7 @@ Foam::scalar Foam::contactStep::wholeMass(const touch& t) const
 }
 
 
-bool Foam::contactStep::stokesAllows(const touch& t, const scalar u) const
+bool Foam::contactStep::stokesAllows(const sphereContact& t, const scalar u) const
 {
     const auto radius = [](const clumpType& ct)
     {
@@ -75,7 +75,7 @@ bool Foam::contactStep::stokesAllows(const touch& t, const scalar u) const
 
 bool Foam::contactStep::hasEnergy
 (
-    const touch& t,
+    const sphereContact& t,
     const scalar v,
     const scalar overlap
 ) const
@@ -85,19 +85,19 @@ bool Foam::contactStep::hasEnergy
 }
 
 
-Foam::scalar Foam::contactStep::elastic(const touch& t, const scalar overlap)
+Foam::scalar Foam::contactStep::elastic(const sphereContact& t, const scalar overlap)
 {
-    if (!t.touches || overlap <= 0 || t.share < leastShare)
+    if (!t.hasLaw || overlap <= 0 || t.weight < leastWeight)
     {
         return 0;
     }
     // Slow enough for the damping to vanish
     const scalar depth = t.ratio*overlap;
-    return t.share/t.ratio*t.law->step(depth, depth, GREAT, t.R, t.m).energy;
+    return t.weight/t.ratio*t.law->step(depth, depth, GREAT, t.R, t.m).energy;
 }
 
 
-Foam::scalar Foam::contactStep::duration(const touch& t, const scalar energy)
+Foam::scalar Foam::contactStep::duration(const sphereContact& t, const scalar energy)
 {
     // Newton's method for the largest overlap, of logarithms: the energy is nearly a
     // power of it
@@ -106,8 +106,8 @@ Foam::scalar Foam::contactStep::duration(const touch& t, const scalar energy)
     {
         const scalar depth = t.ratio*d;
         const auto w = t.law->step(depth, depth, GREAT, t.R, t.m);
-        const scalar V = t.share/t.ratio*w.energy;
-        const scalar slope = t.share*w.force*d;
+        const scalar V = t.weight/t.ratio*w.energy;
+        const scalar slope = t.weight*w.force*d;
         if (V <= 0 || slope <= 0)
         {
             return GREAT;
@@ -125,35 +125,35 @@ Foam::scalar Foam::contactStep::duration(const touch& t, const scalar energy)
 
 Foam::scalar Foam::contactStep::approach
 (
-    const touch& t,
+    const sphereContact& t,
     const List<vectorField>& u,
     const label i,
     const label j
 )
 {
     const vector& own = u[t.a][i];
-    return -t.n & (t.b < 0 ? own : vector(own - u[t.slot][j]));
+    return -t.n & (t.b < 0 ? own : vector(own - u[t.otherIndex][j]));
 }
 
 
 void Foam::contactStep::setMasses
 (
-    UList<touch>& ofTwo,
+    UList<sphereContact>& contacts,
     const List<vectorField>& u,
-    const scalar span
+    const scalar interval
 ) const
 {
     bool bounces = false;
     DynamicList<label> acting;
-    forAll(ofTwo, k)
+    forAll(contacts, k)
     {
-        touch& t = ofTwo[k];
-        if (t.touches)
+        sphereContact& t = contacts[k];
+        if (t.hasLaw)
         {
             evaluate(t);
             const scalar v = approach(t, u, t.i, t.j);
             bounces = bounces || hasEnergy(t, v, t.d);
-            if (t.share > leastShare && t.d + max(v, scalar(0))*span > 0)
+            if (t.weight > leastWeight && t.d + max(v, scalar(0))*interval > 0)
             {
                 acting.append(k);
             }
@@ -164,7 +164,7 @@ void Foam::contactStep::setMasses
         return;
     }
 
-    const touch& any = ofTwo[0];
+    const sphereContact& any = contacts[0];
     const pointField xA(clumps_[any.a].centres() + moved_[any.a]);
     const rigidResponse a(type(any.a), xA);
     pointField xB;
@@ -172,40 +172,40 @@ void Foam::contactStep::setMasses
     if (any.b >= 0)
     {
         const clumpImage& B = ghosts_.images()[any.b];
-        xB = B.x + moved_[any.slot];
+        xB = B.x + moved_[any.otherIndex];
         b.reset(new rigidResponse(types_[B.typeId], xB));
     }
-    const auto response = [&](const touch& s, const touch& t)
+    const auto response = [&](const sphereContact& s, const sphereContact& t)
     {
         return
             a(xA[s.i], s.n, xA[t.i], t.n)
           + (b.valid() ? (*b)(xB[s.j], s.n, xB[t.j], t.n) : 0);
     };
-    for (touch& t : ofTwo)
+    for (sphereContact& t : contacts)
     {
-        t.m = t.touches ? 1/response(t, t) : t.m;
+        t.m = t.hasLaw ? 1/response(t, t) : t.m;
     }
     for (const label k : acting)
     {
         // Bodies that are squeezed between others have a negative sum
-        touch& t = ofTwo[k];
-        scalar ofOthers = 0;
+        sphereContact& t = contacts[k];
+        scalar othersResponse = 0;
         for (const label l : acting)
         {
-            const touch& s = ofTwo[l];
-            ofOthers += l == k ? 0 : s.share*s.ratio*response(t, s);
+            const sphereContact& s = contacts[l];
+            othersResponse += l == k ? 0 : s.weight*s.ratio*response(t, s);
         }
-        const scalar own = acting.size() > 1 ? t.share*t.ratio : 1;
-        t.m = 1/(own/t.m + max(ofOthers, scalar(0)));
+        const scalar own = acting.size() > 1 ? t.weight*t.ratio : 1;
+        t.m = 1/(own/t.m + max(othersResponse, scalar(0)));
     }
 }
 
 
 bool Foam::contactStep::mayBounce() const
 {
-    for (const touch& t : touches_)
+    for (const sphereContact& t : sphereContacts_)
     {
-        if (!t.touches)
+        if (!t.hasLaw)
         {
             continue;
         }
@@ -229,18 +229,18 @@ void Foam::contactStep::findBounces()
     if (bounces_)
     {
         // An explicit integrator needs the masses, too
-        const List<touch> before(touches_);
+        const List<sphereContact> before(sphereContacts_);
         scalar unresolved = GREAT;
-        bounces_ = toNext(span_, unresolved).x() < GREAT;
+        bounces_ = toNext(wholeDt_, unresolved).x() < GREAT;
         if (!bounces_)
         {
-            touches_ = before;
+            sphereContacts_ = before;
         }
         reduce(unresolved, minOp<scalar>());
         if (unresolved < GREAT && !told_)
         {
             told_ = true;
-            Info<< "A contact of " << unresolved << " s in a step of " << span_
+            Info<< "A contact of " << unresolved << " s in a step of " << wholeDt_
                 << " s: bodies keep their restitution in steps of up to " << longest
                 << " times that, and bounce less in longer ones" << endl;
         }
@@ -258,9 +258,9 @@ Foam::vector2D Foam::contactStep::toNext
     List<vectorField> u(moved_.size());
     List<vectorField> accelerations(moved_.size());
     List<const externalForces*> forces(clumps_.size(), nullptr);
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
-        forces[clumpOf_[m]] = members_[m].ext;
+        forces[clumpOf_[m]] = coupled_[m].ext;
     }
     for (label a = 0; a < clumps_.size(); ++a)
     {
@@ -292,7 +292,7 @@ Foam::vector2D Foam::contactStep::toNext
         accelerations[a][0] = f/mass;
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
-            touch t(touches_[k]);
+            sphereContact t(sphereContacts_[k]);
             evaluate(t);
             t.first = t.d;
             evaluate(t);
@@ -309,19 +309,23 @@ Foam::vector2D Foam::contactStep::toNext
         label next = begins_[a];
         for (label k = next; k < begins_[a + 1]; k = next)
         {
-            while (next < begins_[a + 1] && touches_[next].b == touches_[k].b)
+            while
+            (
+                next < begins_[a + 1]
+             && sphereContacts_[next].b == sphereContacts_[k].b
+            )
             {
                 ++next;
             }
-            if (inPart_ && !isMember_[a])
+            if (inPart_ && !isCoupled_[a])
             {
                 continue;
             }
-            SubList<touch> ofTwo(touches_, next - k, k);
-            setMasses(ofTwo, u, min(left, span_/partsPerContact));
-            for (const touch& t : ofTwo)
+            SubList<sphereContact> contacts(sphereContacts_, next - k, k);
+            setMasses(contacts, u, min(left, wholeDt_/partsPerContact));
+            for (const sphereContact& t : contacts)
             {
-                if (!t.touches || t.share < leastShare)
+                if (!t.hasLaw || t.weight < leastWeight)
                 {
                     continue;
                 }
@@ -336,7 +340,7 @@ Foam::vector2D Foam::contactStep::toNext
                 const scalar own = max
                 (
                     mag(accelerations[a][0]),
-                    t.b < 0 ? 0 : mag(accelerations[t.slot][0])
+                    t.b < 0 ? 0 : mag(accelerations[t.otherIndex][0])
                 );
                 const scalar turning =
                     V > 0
@@ -351,13 +355,13 @@ Foam::vector2D Foam::contactStep::toNext
                 (
                     begins >= left
                  || !stokesAllows(t, speed)
-                 || speed <= own*span_
-                 || speed*span_ <= 1e-6*t.R
+                 || speed <= own*wholeDt_
+                 || speed*wholeDt_ <= 1e-6*t.R
                 )
                 {
                     continue;
                 }
-                if (span_ > longest*T)
+                if (wholeDt_ > longest*T)
                 {
                     unresolved = min(unresolved, T);
                     continue;
@@ -375,13 +379,13 @@ Foam::vector2D Foam::contactStep::toNext
 Foam::scalar Foam::contactStep::part(const scalar left, bool& resolves)
 {
     // What has been left may be met again
-    touches_ = search_.touches;
+    sphereContacts_ = search_.contacts;
     begins_ = search_.begins;
     inPart_ = true;
     setStarts();
-    for (touch& t : touches_)
+    for (sphereContact& t : sphereContacts_)
     {
-        if (isMember_[t.a])
+        if (isCoupled_[t.a])
         {
             evaluate(t);
         }
@@ -397,9 +401,9 @@ Foam::scalar Foam::contactStep::part(const scalar left, bool& resolves)
 void Foam::contactStep::setStarts()
 {
     starts_ = List<const clumpState*>(clumps_.size(), nullptr);
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
-        starts_[clumpOf_[m]] = members_[m].start;
+        starts_[clumpOf_[m]] = coupled_[m].start;
     }
     move(true);
     before_ = moved_;
@@ -411,9 +415,9 @@ void Foam::contactStep::beginStage(const scalar dt)
     dt_ = dt;
     leastEigenvalue = 0;
     setStarts();
-    for (touch& t : touches_)
+    for (sphereContact& t : sphereContacts_)
     {
-        if (isMember_[t.a])
+        if (isCoupled_[t.a])
         {
             evaluate(t);
             t.first = t.d;
@@ -446,8 +450,8 @@ Foam::scalar Foam::contactStep::elasticEnergy() const
     {
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
-            const touch& t = touches_[k];
-            const bool both = t.b >= 0 && isMember_[t.slot];
+            const sphereContact& t = sphereContacts_[k];
+            const bool both = t.b >= 0 && isCoupled_[t.otherIndex];
             result += (both ? 0.5 : 1)*elastic(t, t.d);
         }
     }

@@ -35,9 +35,9 @@ void Foam::contactStep::begin(const scalar dt)
     {
         // What was solved in an earlier outer corrector is near the minimum
         smoothing_ = 1;
-        for (const member& m : members_)
+        for (const coupledClump& m : coupled_)
         {
-            smoothing_ = m.guessed ? smoothing_ : 1000;
+            smoothing_ = m.hasGuess ? smoothing_ : 1000;
         }
         reduce(smoothing_, maxOp<scalar>());
         renew_ = true;
@@ -58,14 +58,14 @@ void Foam::contactStep::beginMoving(const scalar dt)
         u[a] = clumps_[a].step().end.u;
     }
     remote_.exchange(u);
-    for (touch& t : touches_)
+    for (sphereContact& t : sphereContacts_)
     {
-        if (isMember_[t.a])
+        if (isCoupled_[t.a])
         {
             evaluate(t);
             const vector v
             (
-                t.b < 0 ? u[t.a][t.i] : vector(u[t.a][t.i] - u[t.slot][t.j])
+                t.b < 0 ? u[t.a][t.i] : vector(u[t.a][t.i] - u[t.otherIndex][t.j])
             );
             t.first = t.d + dt*(v & t.n);
         }
@@ -80,7 +80,7 @@ void Foam::contactStep::move(const bool all)
     for (label a = 0; a < clumps_.size(); ++a)
     {
         const clumpParcel& p = clumps_[a];
-        if (all || isMember_[a])
+        if (all || isCoupled_[a])
         {
             moved_[a] = p.step().end.x - p.state().x;
             if (rubs_)
@@ -102,17 +102,17 @@ void Foam::contactStep::move(const bool all)
     {
         remote_.exchange(turned_);
     }
-    forAll(moved_, slot)
+    forAll(moved_, c)
     {
-        hasMoved_[slot] =
-            hasMoved_[slot]
-         || moved_[slot] != moved[slot]
-         || (rubs_ && turned_[slot] != turned[slot]);
+        hasMoved_[c] =
+            hasMoved_[c]
+         || moved_[c] != moved[c]
+         || (rubs_ && turned_[c] != turned[c]);
     }
 }
 
 
-Foam::vector Foam::contactStep::before(const touch& t) const
+Foam::vector Foam::contactStep::before(const sphereContact& t) const
 {
     return
         t.b < 0
@@ -121,20 +121,20 @@ Foam::vector Foam::contactStep::before(const touch& t) const
 }
 
 
-Foam::vector Foam::contactStep::displacement(const touch& t) const
+Foam::vector Foam::contactStep::displacement(const sphereContact& t) const
 {
     const vector& dx = moved_[t.a][t.i];
-    return t.b < 0 ? dx : vector(dx - moved_[t.slot][t.j]);
+    return t.b < 0 ? dx : vector(dx - moved_[t.otherIndex][t.j]);
 }
 
 
-Foam::scalar Foam::contactStep::fromWall(const touch& t, const vector& dx)
+Foam::scalar Foam::contactStep::fromWall(const sphereContact& t, const vector& dx)
 {
     return (t.wallNormal + 0.5*(t.bend & dx)) & dx;
 }
 
 
-void Foam::contactStep::evaluate(touch& t) const
+void Foam::contactStep::evaluate(sphereContact& t) const
 {
     if (t.b < 0)
     {
@@ -151,15 +151,15 @@ void Foam::contactStep::evaluate(touch& t) const
         t.n = distance > SMALL*t.R ? vector(x/distance) : vector::zero;
     }
     t.w = {0, 0, 0};
-    if (t.touches && t.d > 0)
+    if (t.hasLaw && t.d > 0)
     {
         t.w = t.law->step
         (
             t.ratio*t.d, t.ratio*t.first, t.ratio*dt_, t.R, t.m
         );
-        t.w.energy *= t.share/t.ratio;
-        t.w.force *= t.share;
-        t.w.stiffness *= t.share*t.ratio;
+        t.w.energy *= t.weight/t.ratio;
+        t.w.force *= t.weight;
+        t.w.stiffness *= t.weight*t.ratio;
     }
     t.pressing = t.w.force;
     if (t.reaches && max(t.d, t.first) > -t.range)
@@ -177,9 +177,9 @@ void Foam::contactStep::evaluate(touch& t) const
             w.energy += w.force*(gap + t.d);
             w.stiffness = 0;
         }
-        t.w.energy += t.gapShare*w.energy;
-        t.w.force += t.gapShare*w.force;
-        t.w.stiffness += t.gapShare*w.stiffness;
+        t.w.energy += t.gapWeight*w.energy;
+        t.w.force += t.gapWeight*w.force;
+        t.w.stiffness += t.gapWeight*w.stiffness;
     }
     evaluateFriction(t);
 }
@@ -193,9 +193,9 @@ void Foam::contactStep::sumForces(const label m)
     energies_[m] = 0;
     for (label k = begins_[a]; k < begins_[a + 1]; ++k)
     {
-        const touch& t = touches_[k];
-        // Two members have half of the energy each
-        const bool both = t.b >= 0 && isMember_[t.slot];
+        const sphereContact& t = sphereContacts_[k];
+        // Two coupled clumps have half of the energy each
+        const bool both = t.b >= 0 && isCoupled_[t.otherIndex];
         energies_[m] +=
             (both ? 0.5 : 1)*(t.w.energy + t.sliding.energy + t.rolling.energy);
         forces_[m][t.i] += t.w.force*t.n + t.sliding.force;
@@ -214,14 +214,14 @@ void Foam::contactStep::evaluate()
 
 void Foam::contactStep::renewForces()
 {
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
         const label a = clumpOf_[m];
         if (renew_ || near(a, hasMoved_))
         {
             for (label k = begins_[a]; k < begins_[a + 1]; ++k)
             {
-                evaluate(touches_[k]);
+                evaluate(sphereContacts_[k]);
             }
             sumForces(m);
             ++nRenewed_[m];
@@ -238,21 +238,21 @@ Foam::symmTensorField Foam::contactStep::stiffness(const label m) const
     symmTensorField k(type(a).size(), Zero);
     for (label n = begins_[a]; n < begins_[a + 1]; ++n)
     {
-        const touch& t = touches_[n];
+        const sphereContact& t = sphereContacts_[n];
         k[t.i] += t.w.stiffness*sqr(t.n) + t.sliding.tangent;
     }
     return k;
 }
 
 
-Foam::List<Foam::vectorField> Foam::contactStep::ofSlots
+Foam::List<Foam::vectorField> Foam::contactStep::gatherVectors
 (
     const motions& p,
     const label offset
 )
 {
     List<vectorField> moves(moved_.size());
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
         if (!p[m].isZero(0))
         {
@@ -272,20 +272,20 @@ Foam::List<Foam::vectorField> Foam::contactStep::ofSlots
 Foam::boolList Foam::contactStep::moving(const UList<vectorField>& moves)
 {
     boolList result(moves.size());
-    forAll(result, slot)
+    forAll(result, c)
     {
-        result[slot] = !moves[slot].empty();
+        result[c] = !moves[c].empty();
     }
     return result;
 }
 
 
-bool Foam::contactStep::near(const label a, const UList<bool>& slots) const
+bool Foam::contactStep::near(const label a, const UList<bool>& marked) const
 {
-    bool result = slots[a];
-    for (const label slot : partners_[a])
+    bool result = marked[a];
+    for (const label c : partners_[a])
     {
-        result = result || slots[slot];
+        result = result || marked[c];
     }
     return result;
 }
@@ -293,21 +293,21 @@ bool Foam::contactStep::near(const label a, const UList<bool>& slots) const
 
 void Foam::contactStep::couple(const motions& p, motions& Ap)
 {
-    const List<vectorField> moves(ofSlots(p));
+    const List<vectorField> moves(gatherVectors(p));
     const boolList some(moving(moves));
 
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
         const label a = clumpOf_[m];
         const label end = near(a, some) ? begins_[a + 1] : begins_[a];
         for (label k = begins_[a]; k < end; ++k)
         {
-            const touch& t = touches_[k];
+            const sphereContact& t = sphereContacts_[k];
             if (t.b < 0 || (t.w.force == 0 && t.w.stiffness == 0))
             {
                 continue;
             }
-            const vector other(of(moves[t.slot], t.j));
+            const vector other(of(moves[t.otherIndex], t.j));
             const vector relative(of(moves[a], t.i) - other);
             const scalar turning = t.w.force/max(t.radii - t.d, SMALL*t.R);
             const vector Cp
@@ -327,22 +327,22 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
 
 Foam::scalar Foam::contactStep::passable(const motions& step)
 {
-    const List<vectorField> moves(ofSlots(step));
+    const List<vectorField> moves(gatherVectors(step));
     const boolList some(moving(moves));
 
     // Up to half of a gap and a quarter of a radius nearer
     scalar part = 1;
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
         const label a = clumpOf_[m];
         const label end = near(a, some) ? begins_[a + 1] : begins_[a];
         for (label k = begins_[a]; k < end; ++k)
         {
-            const touch& t = touches_[k];
+            const sphereContact& t = sphereContacts_[k];
             vector dx(of(moves[a], t.i));
             if (t.b >= 0)
             {
-                dx -= of(moves[t.slot], t.j);
+                dx -= of(moves[t.otherIndex], t.j);
             }
             const scalar distance = t.radii - t.d;
             const scalar nearer =

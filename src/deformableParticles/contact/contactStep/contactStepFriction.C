@@ -59,7 +59,7 @@ void Foam::contactStep::frictionPotential::evaluate
 }
 
 
-void Foam::contactStep::setPressed(touch& t) const
+void Foam::contactStep::setPressed(sphereContact& t) const
 {
     t.pressed = t.pressing;
     t.slipNormal = t.n;
@@ -91,25 +91,25 @@ void Foam::contactStep::setPressed()
     {
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
-            setPressed(touches_[k]);
+            setPressed(sphereContacts_[k]);
         }
     }
 }
 
 
-Foam::vector Foam::contactStep::slip(const touch& t) const
+Foam::vector Foam::contactStep::slip(const sphereContact& t) const
 {
     const vector& n = t.slipNormal;
     vector dx(displacement(t));
     if (inPart_)
     {
         dx -= before_[t.a][t.i];
-        dx += t.b < 0 ? vector::zero : before_[t.slot][t.j];
+        dx += t.b < 0 ? vector::zero : before_[t.otherIndex][t.j];
     }
     vector turned(t.arm*turned_[t.a][t.i]);
     if (t.b >= 0)
     {
-        turned += t.otherArm*turned_[t.slot][t.j];
+        turned += t.otherArm*turned_[t.otherIndex][t.j];
     }
     else
     {
@@ -119,18 +119,18 @@ Foam::vector Foam::contactStep::slip(const touch& t) const
 }
 
 
-Foam::vector Foam::contactStep::roll(const touch& t) const
+Foam::vector Foam::contactStep::roll(const sphereContact& t) const
 {
     const vector other
     (
-        t.b < 0 ? vector(dt_*walls_.rotation(t.patch)) : turned_[t.slot][t.j]
+        t.b < 0 ? vector(dt_*walls_.rotation(t.patch)) : turned_[t.otherIndex][t.j]
     );
     const vector r(turned_[t.a][t.i] - other);
     return r - (t.slipNormal & r)*t.slipNormal;
 }
 
 
-void Foam::contactStep::evaluateFriction(touch& t) const
+void Foam::contactStep::evaluateFriction(sphereContact& t) const
 {
     if (rubs_ && t.pressed > 0)
     {
@@ -149,7 +149,7 @@ void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
     const label a = clumpOf_[m];
     for (label k = begins_[a]; k < begins_[a + 1]; ++k)
     {
-        const touch& t = touches_[k];
+        const sphereContact& t = sphereContacts_[k];
         if (t.pressed <= 0)
         {
             continue;
@@ -167,23 +167,23 @@ void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
 
 void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
 {
-    const List<vectorField> moves(ofSlots(p));
-    const List<vectorField> turns(ofSlots(p, 3));
+    const List<vectorField> moves(gatherVectors(p));
+    const List<vectorField> turns(gatherVectors(p, 3));
 
-    forAll(members_, m)
+    forAll(coupled_, m)
     {
         const label a = clumpOf_[m];
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
-            const touch& t = touches_[k];
-            if (t.b < 0 || t.pressed <= 0 || moves[t.slot].empty())
+            const sphereContact& t = sphereContacts_[k];
+            if (t.b < 0 || t.pressed <= 0 || moves[t.otherIndex].empty())
             {
                 continue;
             }
             const vector& n = t.slipNormal;
-            const vector& turn = turns[t.slot][t.j];
-            const vector ofOther(t.otherArm*(n ^ turn) - moves[t.slot][t.j]);
-            const vector f(t.sliding.tangent & ofOther);
+            const vector& turn = turns[t.otherIndex][t.j];
+            const vector otherSlip(t.otherArm*(n ^ turn) - moves[t.otherIndex][t.j]);
+            const vector f(t.sliding.tangent & otherSlip);
             const vector moment(t.rolling.tangent & turn);
             Ap[m].segment<3>(6*t.i) += column(f);
             Ap[m].segment<3>(6*t.i + 3) += column(t.arm*(f ^ n) - moment);

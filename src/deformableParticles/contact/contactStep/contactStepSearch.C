@@ -8,16 +8,16 @@
 #include "sphereGrid.H"
 #include <algorithm>
 
-void Foam::contactStep::clearMembers()
+void Foam::contactStep::clearCoupled()
 {
-    members_.clear();
+    coupled_.clear();
     clumpOf_.clear();
     forces_.clear();
     torques_.clear();
     energies_.clear();
     nRenewed_.clear();
-    isMember_ = Zero;
-    hasNewMembers_ = false;
+    isCoupled_ = Zero;
+    hasNewCoupled_ = false;
     leaveParts();
 }
 
@@ -45,11 +45,11 @@ bool Foam::contactStep::resume
     {
         return false;
     }
-    clearMembers();
-    touches_ = search_.touches;
+    clearCoupled();
+    sphereContacts_ = search_.contacts;
     begins_ = search_.begins;
     move(true);
-    for (touch& t : touches_)
+    for (sphereContact& t : sphereContacts_)
     {
         evaluate(t);
     }
@@ -65,7 +65,7 @@ void Foam::contactStep::find
     const bool betweenClumps
 )
 {
-    span_ = dt;
+    wholeDt_ = dt;
     dt_ = dt;
     leastEigenvalue = 0;
 
@@ -83,8 +83,8 @@ void Foam::contactStep::find
             slacks_[a] = margin(a);
         }
     }
-    clearMembers();
-    touches_.clear();
+    clearCoupled();
+    sphereContacts_.clear();
     search_.betweenClumps = betweenClumps;
     search_.atWalls = false;
     search_.acrossGaps = gaps_.active();
@@ -113,22 +113,22 @@ void Foam::contactStep::findPlanes()
     }
     std::stable_sort
     (
-        touches_.begin(), touches_.end(),
-        [](const touch& s, const touch& t) { return s.a < t.a; }
+        sphereContacts_.begin(), sphereContacts_.end(),
+        [](const sphereContact& s, const sphereContact& t) { return s.a < t.a; }
     );
 }
 
 
 void Foam::contactStep::endSearch()
 {
-    setSlots();
+    setLocalIndices();
     setRanges();
     distribute(true);
     findBounces();
 
-    search_.dt = span_;
+    search_.dt = wholeDt_;
     search_.tooNarrow = false;
-    search_.touches = touches_;
+    search_.contacts = sphereContacts_;
     search_.begins = begins_;
 }
 
@@ -143,7 +143,7 @@ void Foam::contactStep::findWalls(const label a)
         return;
     }
     const scalar width =
-        max(type(a).radii()) + span_*max(mag(p.state().u)) + slacks_[a]
+        max(type(a).radii()) + wholeDt_*max(mag(p.state().u)) + slacks_[a]
       + gaps_.range(cellWidths_[a], true);
     wallsNear_[a] =
         walls_.surface().near(grown(boundBox(p.centres(), false), width));
@@ -174,25 +174,25 @@ void Foam::contactStep::setRanges()
     {
         return;
     }
-    cellWidths_.setSize(remote_.nSlots());
+    cellWidths_.setSize(remote_.nClumps());
     remote_.exchange(cellWidths_);
-    for (touch& t : touches_)
+    for (sphereContact& t : sphereContacts_)
     {
         if (t.reaches)
         {
             const scalar own = cellWidths_[t.a];
-            t.cellWidth = t.b < 0 ? own : 0.5*(own + cellWidths_[t.slot]);
+            t.cellWidth = t.b < 0 ? own : 0.5*(own + cellWidths_[t.otherIndex]);
             t.range = gaps_.range(t.cellWidth, t.b < 0);
         }
     }
 }
 
 
-void Foam::contactStep::setSlots()
+void Foam::contactStep::setLocalIndices()
 {
     begins_ = labelList(clumps_.size() + 1, Zero);
     boolList used(ghosts_.images().size(), false);
-    for (const touch& t : touches_)
+    for (const sphereContact& t : sphereContacts_)
     {
         ++begins_[t.a + 1];
         if (t.b >= 0)
@@ -207,12 +207,12 @@ void Foam::contactStep::setSlots()
 
     remote_.find(ghosts_, clumps_.size(), used);
     List<labelHashSet> partners(clumps_.size());
-    for (touch& t : touches_)
+    for (sphereContact& t : sphereContacts_)
     {
-        t.slot = t.b < 0 ? -1 : remote_.slot(t.b);
+        t.otherIndex = t.b < 0 ? -1 : remote_.localIndex(t.b);
         if (t.b >= 0)
         {
-            partners[t.a].insert(t.slot);
+            partners[t.a].insert(t.otherIndex);
         }
     }
     partners_.setSize(partners.size());
@@ -221,9 +221,9 @@ void Foam::contactStep::setSlots()
         partners_[a] = partners[a].sortedToc();
     }
 
-    isMember_ = labelList(remote_.nSlots(), Zero);
+    isCoupled_ = labelList(remote_.nClumps(), Zero);
     moved_.clear();
-    moved_.setSize(remote_.nSlots());
+    moved_.setSize(remote_.nClumps());
     for (label a = 0; a < clumps_.size(); ++a)
     {
         moved_[a] = vectorField(type(a).size(), Zero);
@@ -247,7 +247,7 @@ void Foam::contactStep::setImages(const bool betweenClumps)
         boundBox& box = image.box;
         forAll(image.x, i)
         {
-            const point end(image.x[i] + span_*image.u[i]);
+            const point end(image.x[i] + wholeDt_*image.u[i]);
             box.add(end - type(a).radii()[i]*vector::one);
             box.add(end + type(a).radii()[i]*vector::one);
         }
@@ -276,14 +276,14 @@ void Foam::contactStep::addPair
     const scalar rA = types_[A.typeId].radii()[i];
     const scalarField& rB = types_[B.typeId].radii();
     const vector x(A.x[i] - B.x[j]);
-    const vector dx(span_*(A.u[i] - B.u[j]));
+    const vector dx(wholeDt_*(A.u[i] - B.u[j]));
     const scalar r = contacts_.distance(A, i, B, j);
     if (leastDistance(x, dx) >= r + range_ + A.slack + B.slack)
     {
         return;
     }
-    touch t = touch();
-    t.touches = true;
+    sphereContact t = sphereContact();
+    t.hasLaw = true;
     t.reaches = range_ > 0;
     t.law = &contacts_.laws()(A.typeId, B.typeId);
     t.a = a;
@@ -299,9 +299,9 @@ void Foam::contactStep::addPair
     t.m = contactModel::reduced
     (
         massAt(a, i),
-        contactShares::mass(j, B.x, rB, types_[B.typeId].masses())
+        contactWeights::mass(j, B.x, rB, types_[B.typeId].masses())
     );
-    touches_.append(t);
+    sphereContacts_.append(t);
 }
 
 
@@ -311,7 +311,7 @@ void Foam::contactStep::findPairs()
     const label nOwn = ghosts_.nOwn();
 
     // Spheres of a clump whose paths reach into the box of another one
-    DynamicList<label> ofA, ofB;
+    DynamicList<label> spheresA, spheresB;
     const auto reaching = [&]
     (
         const clumpImage& image, const boundBox& box, DynamicList<label>& found
@@ -322,7 +322,7 @@ void Foam::contactStep::findPairs()
         forAll(image.x, i)
         {
             boundBox path(image.x[i], image.x[i]);
-            path.add(image.x[i] + span_*image.u[i]);
+            path.add(image.x[i] + wholeDt_*image.u[i]);
             if (grown(path, r[i] + image.slack + 0.5*range_).overlaps(box))
             {
                 found.append(i);
@@ -341,11 +341,11 @@ void Foam::contactStep::findPairs()
             {
                 return;
             }
-            reaching(A, B.box, ofA);
-            reaching(B, A.box, ofB);
-            for (const label i : ofA)
+            reaching(A, B.box, spheresA);
+            reaching(B, A.box, spheresB);
+            for (const label i : spheresA)
             {
-                for (const label j : ofB)
+                for (const label j : spheresB)
                 {
                     addPair(a, i, b, j);
                 }
@@ -363,7 +363,7 @@ void Foam::contactStep::findPlanes(const label a)
 
     forAll(x, i)
     {
-        const vector path(span_*p.state().u[i]);
+        const vector path(wholeDt_*p.state().u[i]);
         const scalar reach = mag(path) + slacks_[a];
         for
         (
@@ -375,11 +375,11 @@ void Foam::contactStep::findPlanes(const label a)
             const scalar d = c.overlap - reach;
             if (d + slacks_[a] + max(-(path & c.normal), 0.0) > 0)
             {
-                touch t(ofWall(a, i, x[i], c, d));
-                t.touches = true;
+                sphereContact t(makeWallContact(a, i, x[i], c, d));
+                t.hasLaw = true;
                 t.law = &walls_.laws()(p.typeId(), c.patch);
-                t.share = c.share;
-                touches_.append(t);
+                t.weight = c.weight;
+                sphereContacts_.append(t);
             }
         }
     }
@@ -396,22 +396,25 @@ void Foam::contactStep::findFilms(const label a)
     const scalarField& r = type(a).radii();
     const pointField x(p.centres());
     const scalar range = gaps_.range(cellWidths_[a], true);
-    const scalar reach = range + span_*max(mag(p.state().u)) + slacks_[a];
+    const scalar reach = range + wholeDt_*max(mag(p.state().u)) + slacks_[a];
 
     for
     (
-        const auto& c : contactShares::filmsOfWalls
+        const auto& c : contactWeights::findWallFilms
         (
             walls_.surface(), wallsNear_[a], x, r, range, reach
         )
     )
     {
-        touch t(ofWall(a, c.i, x[c.i], c.wall, c.wall.overlap - reach));
+        sphereContact t
+        (
+            makeWallContact(a, c.i, x[c.i], c.wall, c.wall.overlap - reach)
+        );
         t.reaches = true;
         t.gapR = gapModel::radii(r[c.i], c.curvature);
         t.bend = bendOf(c.curvature, t.n, r[c.i] - t.d, r[c.i]);
-        t.gapShare = c.share;
-        touches_.append(t);
+        t.gapWeight = c.weight;
+        sphereContacts_.append(t);
     }
 }
 
@@ -444,7 +447,7 @@ Foam::symmTensor Foam::contactStep::bendOf
 }
 
 
-Foam::contactStep::touch Foam::contactStep::ofWall
+Foam::contactStep::sphereContact Foam::contactStep::makeWallContact
 (
     const label a,
     const label i,
@@ -454,14 +457,14 @@ Foam::contactStep::touch Foam::contactStep::ofWall
 ) const
 {
     const vector& n = plane.normal;
-    touch t = touch();
+    sphereContact t = sphereContact();
     t.patch = plane.patch;
     t.place = x - (type(a).radii()[i] - d)*n;
     t.a = a;
     t.i = i;
     t.b = -1;
     t.j = -1;
-    t.slot = -1;
+    t.otherIndex = -1;
     t.n = n;
     t.wallNormal = n;
     t.d = d;
@@ -488,7 +491,7 @@ Foam::scalar Foam::contactStep::leastDistance
 Foam::scalar Foam::contactStep::massAt(const label a, const label i) const
 {
     const clumpType& ct = type(a);
-    return contactShares::mass
+    return contactWeights::mass
     (
         i, clumps_[a].state().x, ct.radii(), ct.masses()
     );

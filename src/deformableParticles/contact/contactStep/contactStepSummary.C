@@ -8,12 +8,12 @@
 Foam::point Foam::contactStep::centre
 (
     const label image,
-    const label slot
+    const label index
 ) const
 {
     const clumpImage& clump = ghosts_.images()[image];
     const scalarField& m = types_[clump.typeId].masses();
-    return sum(m*(clump.x + moved_[slot]))/sum(m);
+    return sum(m*(clump.x + moved_[index]))/sum(m);
 }
 
 
@@ -24,7 +24,7 @@ Foam::contactSummary Foam::contactStep::summary() const
     {
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
-            const touch& t = touches_[k];
+            const sphereContact& t = sphereContacts_[k];
             const scalar r = type(a).radii()[t.i];
             const bool wall = t.b < 0;
             const vector dx(displacement(t));
@@ -34,7 +34,7 @@ Foam::contactSummary Foam::contactStep::summary() const
             {
                 // A plane beyond the edge of its wall is not touched. Beside an edge the
                 // centre may be in the plane of a piece and far from the piece itself
-                if (t.touches)
+                if (t.hasLaw)
                 {
                     const point x(clumps_[a].centres()[t.i] + dx);
                     const bool behind = overlap >= r;
@@ -47,8 +47,8 @@ Foam::contactSummary Foam::contactStep::summary() const
                 continue;
             }
 
-            // Two members have half of the contact each
-            const scalar half = isMember_[t.slot] ? 0.5 : 1;
+            // Two coupled clumps have half of the contact each
+            const scalar half = isCoupled_[t.otherIndex] ? 0.5 : 1;
             if (overlap > 0)
             {
                 result.deepest = max(result.deepest, overlap/min(r, otherRadius(t)));
@@ -57,7 +57,7 @@ Foam::contactSummary Foam::contactStep::summary() const
 
             // Forces across gaps are part of it
             result.virial +=
-                half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.slot))*t.n;
+                half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.otherIndex))*t.n;
         }
     }
     result.virial = virial_ + counts_*result.virial;

@@ -17,15 +17,15 @@ void Foam::remoteClumps::find
     wanted_.setSize(neighbours_.size());
     nAsked_.setSize(neighbours_.size());
     nOwn_ = nOwn;
-    nSlots_ = nOwn_;
+    nClumps_ = nOwn_;
 
     const UList<clumpImage>& images = ghosts.images();
-    slots_ = labelList(images.size(), -1);
+    localIndices_ = labelList(images.size(), -1);
     forAll(images, b)
     {
         if (images[b].owner == Pstream::myProcNo())
         {
-            slots_[b] = images[b].index;
+            localIndices_[b] = images[b].index;
         }
     }
     sentMessages messages(neighbours_.size());
@@ -38,12 +38,12 @@ void Foam::remoteClumps::find
             const label index = images[b].index;
             if (used[b] && images[b].owner == neighbours_[n])
             {
-                if (known.insert(index, nSlots_))
+                if (known.insert(index, nClumps_))
                 {
                     asked.append(index);
-                    ++nSlots_;
+                    ++nClumps_;
                 }
-                slots_[b] = known[index];
+                localIndices_[b] = known[index];
             }
         }
         nAsked_[n] = asked.size();

@@ -115,7 +115,7 @@ void Foam::sphereGrid::forEachContact
         }
     };
 
-    DynamicList<label> ofA, ofB;
+    DynamicList<label> spheresA, spheresB;
     forEachNear
     (
         images, nOwn, scalarField(nOwn, Zero),
@@ -126,11 +126,11 @@ void Foam::sphereGrid::forEachContact
             const scalarField& rA = types[A.typeId].radii();
             const scalarField& rB = types[B.typeId].radii();
 
-            reaching(A, B.box, ofA);
-            reaching(B, A.box, ofB);
-            for (const label i : ofA)
+            reaching(A, B.box, spheresA);
+            reaching(B, A.box, spheresB);
+            for (const label i : spheresA)
             {
-                for (const label j : ofB)
+                for (const label j : spheresB)
                 {
                     if (magSqr(A.x[i] - B.x[j]) < sqr(rA[i] + rB[j]))
                     {

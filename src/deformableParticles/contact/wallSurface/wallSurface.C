@@ -72,7 +72,7 @@ void Foam::wallSurface::collect
     const boundBox all(corners, false);
 
     // What a clump on another processor, or behind a periodic boundary, may feel
-    const auto around = [&](const label proci, DynamicList<label>& ofPatch)
+    const auto around = [&](const label proci, DynamicList<label>& patchIds)
     {
         DynamicList<point> found;
         const boundBox box(grown(ghosts.box(proci), 4*ghosts.reach(proci)));
@@ -94,7 +94,7 @@ void Foam::wallSurface::collect
                     found.append(a);
                     found.append(b);
                     found.append(c);
-                    ofPatch.append(patchOf[t/3]);
+                    patchIds.append(patchOf[t/3]);
                 }
             }
         }
@@ -103,26 +103,26 @@ void Foam::wallSurface::collect
 
     // Walls may be farther away than clumps that meet
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    DynamicList<point> ofImages;
+    DynamicList<point> imageCorners;
     DynamicList<label> patchOfImages;
     for (label proci = 0; proci < Pstream::nProcs(); ++proci)
     {
-        DynamicList<label> ofPatch;
-        const DynamicList<point> found(around(proci, ofPatch));
+        DynamicList<label> patchIds;
+        const DynamicList<point> found(around(proci, patchIds));
         if (proci == Pstream::myProcNo())
         {
-            ofImages = found;
-            patchOfImages = ofPatch;
+            imageCorners = found;
+            patchOfImages = patchIds;
         }
         else if (found.size())
         {
             UOPstream os(proci, buffers);
-            os << List<point>(found) << labelList(ofPatch);
+            os << List<point>(found) << labelList(patchIds);
         }
     }
     labelList sizes;
     buffers.finishedSends(sizes);
-    corners.append(ofImages);
+    corners.append(imageCorners);
     patchOf.append(patchOfImages);
     forAll(sizes, proci)
     {

@@ -13,7 +13,7 @@ using namespace Foam;
 
 //- Part of the force of an unbounded plane at a height h that comes from within
 //  the distance s of the centre
-scalar shareWithin(const scalar s, const scalar h, const scalar r)
+scalar weightWithin(const scalar s, const scalar h, const scalar r)
 {
     if (s >= r)
     {
@@ -24,9 +24,9 @@ scalar shareWithin(const scalar s, const scalar h, const scalar r)
 }
 
 
-//- Integral of shareWithin over the angle at the foot of the centre, along a
+//- Integral of weightWithin over the angle at the foot of the centre, along a
 //  line that passes the foot at a distance p, from its nearest point to t
-scalar angleShare
+scalar angleWeight
 (
     const scalar t,
     const scalar p,
@@ -69,7 +69,7 @@ scalar angleShare
             {
                 const scalar c = std::cosh(half*at);
                 const scalar s = Foam::sqrt(sqr(h) + sqr(p*c));
-                result += half*w[k]*shareWithin(s, h, r)/c;
+                result += half*w[k]*weightWithin(s, h, r)/c;
             }
         }
     }
@@ -95,7 +95,7 @@ void addPiece
          && mag(other.overlap - piece.overlap) < tolerance
         )
         {
-            other.share += piece.share;
+            other.weight += piece.weight;
             return;
         }
     }
@@ -105,7 +105,7 @@ void addPiece
 }
 
 
-Foam::scalar Foam::wallSurface::edgeShare
+Foam::scalar Foam::wallSurface::edgeWeight
 (
     const vector& a,
     const vector& b,
@@ -138,7 +138,7 @@ Foam::scalar Foam::wallSurface::edgeShare
        *(
             outside
           ? std::atan2(to, p) - std::atan2(from, p)
-          : angleShare(to, p, height, r) - angleShare(from, p, height, r)
+          : angleWeight(to, p, height, r) - angleWeight(from, p, height, r)
         );
 }
 
@@ -153,7 +153,7 @@ Foam::DynamicList<Foam::wallSurface::facet> Foam::wallSurface::touching
 {
     DynamicList<facet> facets;
 
-    // Is the centre behind the wall? If several triangles share the nearest
+    // Is the centre behind the wall? If several triangles have the same nearest
     // point (on an edge or a corner), the one whose plane is farthest from the
     // centre decides
     scalar nearest = radius;
@@ -224,13 +224,13 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
         const triPointRef piece(triangle(f.triangle));
         const point corners[] = {piece.a(), piece.b(), piece.c()};
         const scalar height = max(mag(f.height), 1e-9*radius);
-        scalar share = 0;
+        scalar weight = 0;
         for (label k = 0; k < 3; ++k)
         {
             const label other = coplanar(f.triangle, k);
             if (other < 0 || !counts_[other])
             {
-                share += edgeShare
+                weight += edgeWeight
                 (
                     corners[k] - x, corners[(k + 1) % 3] - x, f.out, height,
                     radius
@@ -239,7 +239,7 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
         }
         addPiece
         (
-            {-f.out, radius - f.height, share, patch(f.triangle)},
+            {-f.out, radius - f.height, weight, patch(f.triangle)},
             1e-6*radius, planes
         );
     }
@@ -251,8 +251,8 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
     DynamicList<contact> result;
     for (contact& c : planes)
     {
-        c.share /= constant::mathematical::twoPi;
-        if (c.share >= 1e-9)
+        c.weight /= constant::mathematical::twoPi;
+        if (c.weight >= 1e-9)
         {
             result.append(c);
         }

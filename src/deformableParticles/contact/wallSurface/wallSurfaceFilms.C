@@ -212,7 +212,7 @@ Foam::DynamicList<Foam::vector> Foam::wallSurface::outline
 }
 
 
-Foam::scalar Foam::wallSurface::shareWithin
+Foam::scalar Foam::wallSurface::weightWithin
 (
     const UList<vector>& outline,
     const vector& normal,
@@ -224,15 +224,15 @@ Foam::scalar Foam::wallSurface::shareWithin
     {
         return vector(a - (a & normal)*normal);
     };
-    scalar share = 0;
+    scalar weight = 0;
     for (label k = 0; k < outline.size(); k += 2)
     {
-        share += edgeShare
+        weight += edgeWeight
         (
             inPlane(outline[k]), inPlane(outline[k + 1]), -normal, height, radius
         );
     }
-    return share/constant::mathematical::twoPi;
+    return weight/constant::mathematical::twoPi;
 }
 
 
@@ -291,13 +291,13 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
         (
             passes(edges, d, 1e-6*limit) ? vector(-first->out) : away
         );
-        const scalar share = shareWithin(edges, normal, d & -normal, radius + range);
-        if (share >= 1e-9)
+        const scalar weight = weightWithin(edges, normal, d & -normal, radius + range);
+        if (weight >= 1e-9)
         {
             result.append
             (
                 {
-                    {away, limit - first->distance, share, 0},
+                    {away, limit - first->distance, weight, 0},
                     curvature(first->triangle, first->nearest, 0.5*radius)
                 }
             );

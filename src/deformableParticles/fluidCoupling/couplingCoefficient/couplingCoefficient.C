@@ -169,15 +169,15 @@ Foam::scalar Foam::couplingCoefficient::neededRaise
     const scalar own = sum(type.masses()*dd)/dt;
     const scalar inside = rho_*sum(type.volumes()*dd)/dt;
     const scalar inertia = own + inside;
-    const scalar ofViscosity = max(sum(z*dd), VSMALL);
+    const scalar viscousResistance = max(sum(z*dd), VSMALL);
     vectorField Gd(step.lastFluidForces - p.fluidForces());
     if (boundary_.addsInteriorInertia())
     {
-        Gd -= step.presence*rho_/dt*step.solidVolumes*d;
+        Gd -= step.fadeFactor*rho_/dt*step.solidVolumes*d;
     }
     const scalar fluid = sum(Gd & d);
 
-    const scalar q = (own + fluid)/max(inertia + ofViscosity, VSMALL);
+    const scalar q = (own + fluid)/max(inertia + viscousResistance, VSMALL);
 
     // The motion that a locked interior resists most is seldom d itself
     const bool locked = !boundary_.dilates();
@@ -204,7 +204,7 @@ Foam::scalar Foam::couplingCoefficient::neededRaise
 
     const scalar most = max(q, stiffest);
 
-    return min(most + (most - 1)*inertia/ofViscosity, maxRaise);
+    return min(most + (most - 1)*inertia/viscousResistance, maxRaise);
 }
 
 

@@ -25,7 +25,7 @@ void Foam::coveredCells::update
     const clumpImage& image
 )
 {
-    presence_ = image.presence;
+    fadeFactor_ = image.fadeFactor;
     if (image.typeId == typeId_ && image.x == centres_)
     {
         return;

@@ -160,9 +160,9 @@ void Foam::fluidCoupling::sampleVelocity
 
 void Foam::fluidCoupling::takeForces(clumpParcel& p, clumpImage& image) const
 {
-    image.fluid.constrain(image.tension);
-    image.fluid.f /= image.presence;
-    image.fluid.t /= image.presence;
+    image.fluid.constrain(image.constraint);
+    image.fluid.f /= image.fadeFactor;
+    image.fluid.t /= image.fadeFactor;
     p.fluidForces() = image.fluid.f;
     p.fluidTorques() = Zero;
 }
@@ -216,7 +216,7 @@ Foam::vectorField Foam::fluidCoupling::inertia
         return vectorField(s.u.size(), Zero);
     }
     return
-        p.step().presence*rho_*volumes/dt
+        p.step().fadeFactor*rho_*volumes/dt
        *(p.step().imposedU - s.u + mesh_.time().deltaT0Value()*s.a);
 }
 
@@ -240,7 +240,7 @@ Foam::vectorField Foam::fluidCoupling::interiorForces
         (
             step.imposedW - s.w + mesh_.time().deltaT0Value()*s.b
         );
-        result += step.presence*rho_/dt*(alpha ^ step.solidMoments);
+        result += step.fadeFactor*rho_/dt*(alpha ^ step.solidMoments);
     }
     return result;
 }
@@ -296,7 +296,7 @@ void Foam::fluidCoupling::addForces
         (
             type,
             s,
-            step.presence*rho_/dt*torques,
+            step.fadeFactor*rho_/dt*torques,
             ext.f,
             ext.t
         );

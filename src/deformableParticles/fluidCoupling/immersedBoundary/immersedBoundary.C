@@ -89,7 +89,7 @@ void Foam::immersedBoundary::allocate()
     const label n = mesh_.nCells();
     sumLambda_ = scalarField(n, Zero);
     nForcing_ = labelList(n, Zero);
-    sumShare_ = scalarField(n, Zero);
+    sumForcingWeights_ = scalarField(n, Zero);
     sumFriction_ = scalarField(n, Zero);
     frictionVelocity_ = vectorField(n, Zero);
 }
@@ -108,7 +108,7 @@ void Foam::immersedBoundary::clearCovered()
             dilation_[celli] = 0;
             sumLambda_[celli] = 0;
             nForcing_[celli] = 0;
-            sumShare_[celli] = 0;
+            sumForcingWeights_[celli] = 0;
         }
     }
 }
@@ -140,7 +140,7 @@ void Foam::immersedBoundary::addFractions(const coveredCells& c)
     for (const coveredCell& cell : c.cells())
     {
         scalar& sum = sumLambda_[cell.celli];
-        sum += c.presence()*cell.lambda;
+        sum += c.fadeFactor()*cell.lambda;
         solidFraction_[cell.celli] = min(sum, scalar(1));
         nForcing_[cell.celli] += cell.forced();
     }
@@ -178,9 +178,9 @@ void Foam::immersedBoundary::setStrengths(const volScalarField& nu)
         for (coveredCell& cell : c.cells())
         {
             const label celli = cell.celli;
-            sumShare_[celli] += cell.share;
+            sumForcingWeights_[celli] += cell.forcingWeight;
             cell.solid =
-                solidFraction_[celli]*c.presence()*cell.lambda
+                solidFraction_[celli]*c.fadeFactor()*cell.lambda
                /max(sumLambda_[celli], VSMALL);
         }
     }
@@ -192,25 +192,26 @@ void Foam::immersedBoundary::fade(const volScalarField& nu)
     bool whole = true;
     for (const coveredCells& c : covered_)
     {
-        whole = whole && (c.presence() == 1 || c.cells().empty());
+        whole = whole && (c.fadeFactor() == 1 || c.cells().empty());
     }
     if (whole)
     {
         return;
     }
 
-    // Shares become strengths, which add up
+    // Weights become strengths, which add up
     for (coveredCells& c : covered_)
     {
-        const scalar phi = c.presence();
+        const scalar phi = c.fadeFactor();
         const scalar kappa = 4.5/sqr(volumeRadius(types_[c.typeId()]));
         for (coveredCell& cell : c.cells())
         {
             const label celli = cell.celli;
             const scalar S =
-                strength_[celli]*cell.share/max(sumShare_[celli], VSMALL);
+                strength_[celli]*cell.forcingWeight
+               /max(sumForcingWeights_[celli], VSMALL);
             const scalar porous = phi*kappa*nu[celli];
-            cell.share =
+            cell.forcingWeight =
                 S*porous/(porous + (1 - phi)*S)
                *(cell.lambda + (1 - cell.lambda)*pow4(phi));
         }
@@ -226,8 +227,8 @@ void Foam::immersedBoundary::fade(const volScalarField& nu)
     {
         for (const coveredCell& cell : c.cells())
         {
-            strength_[cell.celli] += cell.share;
-            sumShare_[cell.celli] = strength_[cell.celli];
+            strength_[cell.celli] += cell.forcingWeight;
+            sumForcingWeights_[cell.celli] = strength_[cell.celli];
         }
     }
 }
@@ -240,12 +241,13 @@ void Foam::immersedBoundary::setFriction(const volScalarField& nu)
         for (coveredCell& cell : c.cells())
         {
             const label celli = cell.celli;
-            const scalar share = cell.share/max(sumShare_[celli], VSMALL);
+            const scalar fraction =
+                cell.forcingWeight/max(sumForcingWeights_[celli], VSMALL);
             cell.friction =
-                share < 1
+                fraction < 1
               ? min
                 (
-                    share*strength_[celli],
+                    fraction*strength_[celli],
                     4*nu[celli]/sqr(geometry_[celli].width)
                 )
               : 0;
@@ -261,7 +263,7 @@ void Foam::immersedBoundary::setForcing(const volScalarField& nu)
         for (const coveredCell& cell : c.cells())
         {
             strength_[cell.celli] = 0;
-            sumShare_[cell.celli] = 0;
+            sumForcingWeights_[cell.celli] = 0;
         }
     }
     setStrengths(nu);
@@ -311,7 +313,7 @@ void Foam::immersedBoundary::update
     setSolidVolumes(images);
     if (dilates_)
     {
-        setTensions(images);
+        setConstraints(images);
     }
 }
 

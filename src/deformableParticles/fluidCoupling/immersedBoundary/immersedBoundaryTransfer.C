@@ -50,7 +50,7 @@ void Foam::immersedBoundary::visit(Images& images, const Action& action) const
             action
             (
                 images[a], covered, c, covered.weights(k),
-                c.share/max(sumShare_[c.celli], VSMALL)
+                c.forcingWeight/max(sumForcingWeights_[c.celli], VSMALL)
             );
         }
     }
@@ -66,18 +66,20 @@ void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
         (
             clumpImage& image, const coveredCells&,
             const coveredCell& c, const UList<sphereWeight>& weights,
-            const scalar share
+            const scalar fraction
         )
         {
             if (c.moves())
             {
                 for (const sphereWeight& s : weights)
                 {
-                    const scalar V = c.volume*share*s.w;
+                    const scalar V = c.volume*fraction*s.w;
                     const vector r(c.x - image.x[s.i]);
-                    image.tension.solidVolumes[s.i] += V;
-                    image.tension.solidMoments[s.i] += V*r;
-                    image.tension.solidInertias[s.i] += V*(magSqr(r)*symmTensor::I - sqr(r));
+                    constraintForces& constraint = image.constraint;
+                    constraint.solidVolumes[s.i] += V;
+                    constraint.solidMoments[s.i] += V*r;
+                    constraint.solidInertias[s.i] +=
+                        V*(magSqr(r)*symmTensor::I - sqr(r));
                 }
             }
         }
@@ -114,7 +116,7 @@ void Foam::immersedBoundary::setViscosities
 }
 
 
-void Foam::immersedBoundary::setTensions(UList<clumpImage>& images) const
+void Foam::immersedBoundary::setConstraints(UList<clumpImage>& images) const
 {
     visit
     (
@@ -131,16 +133,16 @@ void Foam::immersedBoundary::setTensions(UList<clumpImage>& images) const
                 return;
             }
             const scalar V = c.volume*c.solid;
-            imageForces& tension = image.tension;
-            tension.c += 3*V;
+            imageForces& constraint = image.constraint;
+            constraint.c += 3*V;
             for (const sphereWeight& s : weights)
             {
                 const label i = s.i;
                 const vector r(c.x - image.x[i]);
                 const vector g(V*covered.gradWeight(c, i, s.w, r));
-                tension.f[i] += g;
-                tension.t[i] += r ^ g;
-                tension.c += r & g;
+                constraint.f[i] += g;
+                constraint.t[i] += r ^ g;
+                constraint.c += r & g;
             }
         }
     );
@@ -195,12 +197,12 @@ void Foam::immersedBoundary::impose(const UList<clumpImage>& images)
         (
             const clumpImage& image, const coveredCells& covered,
             const coveredCell& c, const UList<sphereWeight>& weights,
-            const scalar share
+            const scalar fraction
         )
         {
             const bool dilates = dilates_ && c.solid > 0;
             const vector velocity(imposed(image, c.x, weights));
-            solidVelocity_[c.celli] += share*velocity;
+            solidVelocity_[c.celli] += fraction*velocity;
             if (c.friction > 0)
             {
                 sumFriction_[c.celli] += c.friction;
@@ -261,18 +263,18 @@ void Foam::immersedBoundary::integrate
         (
             clumpImage& image, const coveredCells& covered,
             const coveredCell& c, const UList<sphereWeight>& weights,
-            const scalar share
+            const scalar fraction
         )
         {
             vector density((*forceModel_)(flow, c.celli));
-            if (covered.presence() < 1)
+            if (covered.fadeFactor() < 1)
             {
-                // Divided by the presence later, which other models do not bear
-                const scalar phi = covered.presence();
+                // Divided by the fade factor later, which other models do not bear
+                const scalar phi = covered.fadeFactor();
                 density =
                     phi*density + (1 - phi)*reaction(flow, c.celli);
             }
-            vector F(c.volume*share*density);
+            vector F(c.volume*fraction*density);
             if (c.friction > 0)
             {
                 F +=

@@ -93,11 +93,11 @@ Foam::label Foam::integrators::implicitEuler::advance
 
 void Foam::integrators::implicitEuler::breakBonds(clumpInteraction& group)
 {
-    for (clumpInteraction::member& member : group.members())
+    for (clumpInteraction::coupledClump& clump : group.coupledClumps())
     {
-        if (member.bonds->breakable())
+        if (clump.bonds->breakable())
         {
-            bondForces(*member.bonds).breakBonds(*member.end);
+            bondForces(*clump.bonds).breakBonds(*clump.end);
         }
     }
 }
@@ -110,15 +110,15 @@ Foam::label Foam::integrators::implicitEuler::solve
     const bool exact
 ) const
 {
-    UList<clumpInteraction::member>& members = group.members();
+    UList<clumpInteraction::coupledClump>& clumps = group.coupledClumps();
 
     clumpInteraction::motions steps;
-    for (const clumpInteraction::member& m : members)
+    for (const clumpInteraction::coupledClump& m : clumps)
     {
         const clumpState& start = *m.start;
         clumpState& s = *m.end;
         steps.push_back(Eigen::VectorXd::Zero(6*start.x.size()));
-        if (!m.guessed)
+        if (!m.hasGuess)
         {
             if (s.x == start.x)
             {
@@ -165,21 +165,21 @@ Foam::label Foam::integrators::implicitEuler::solve
             << " shorter time step, or a softer contact, converges better." << endl;
     }
 
-    forAll(members, m)
+    forAll(clumps, m)
     {
-        clumpInteraction::member& member = members[m];
-        member.received = group.forces(m);
-        member.guessed = true;
-        externalForces ext(*member.ext);
-        ext.f += member.received;
+        clumpInteraction::coupledClump& clump = clumps[m];
+        clump.received = group.forces(m);
+        clump.hasGuess = true;
+        externalForces ext(*clump.ext);
+        ext.f += clump.received;
         if (group.turns())
         {
-            member.receivedTorques = group.torques(m);
-            ext.t += member.receivedTorques;
+            clump.receivedTorques = group.torques(m);
+            ext.t += clump.receivedTorques;
         }
         setVelocities
         (
-            member.bonds->type(), ext, dt, *member.start, *member.end
+            clump.bonds->type(), ext, dt, *clump.start, *clump.end
         );
     }
     return newton.nSolves();

@@ -16,10 +16,10 @@ using namespace Foam;
 constexpr scalar rounding = 1e-11;
 
 
-//- What moves a member in the parts of a step
-struct memberParts
+//- What moves a coupled clump in the parts of a step
+struct coupledParts
 {
-    clumpInteraction::member given;
+    clumpInteraction::coupledClump given;
 
     //- Forces of the stages, constant in them, and without their stiffness
     externalForces ext;
@@ -33,7 +33,7 @@ struct memberParts
     clumpState begin;
     clumpState start;
     clumpState first;
-    clumpInteraction::member ofFirst;
+    clumpInteraction::coupledClump firstStage;
 
     //- Of the contacts over the step so far, over its length: forces, torques, and the
     //  torque of the forces about the centre of mass
@@ -41,7 +41,7 @@ struct memberParts
     vectorField receivedTorques;
     vector moment;
 
-    memberParts(const clumpInteraction::member& m, const scalar dt)
+    coupledParts(const clumpInteraction::coupledClump& m, const scalar dt)
     :
         given(m),
         ext(*m.ext),
@@ -49,7 +49,7 @@ struct memberParts
         mass(dt*ext.zeta),
         inertia(dt*ext.zetaR),
         begin(*m.start),
-        ofFirst(m),
+        firstStage(m),
         received(f.size(), Zero),
         receivedTorques(f.size(), Zero),
         moment(Zero)
@@ -69,7 +69,7 @@ struct memberParts
         ext.imposedW = start.w;
     }
 
-    void receive(const clumpInteraction::member& m, const scalar fraction)
+    void receive(const clumpInteraction::coupledClump& m, const scalar fraction)
     {
         const point centre(m.end->centre(m.bonds->type()));
         forAll(received, i)
@@ -85,11 +85,11 @@ struct memberParts
     }
 
     //- Begin the second stage, so much further beyond the first one as that went
-    void goBeyond(const clumpInteraction::member& m, const scalar factor)
+    void goBeyond(const clumpInteraction::coupledClump& m, const scalar factor)
     {
         first = *m.end;
-        ofFirst = m;
-        ofFirst.end = &first;
+        firstStage = m;
+        firstStage.end = &first;
         forAll(start.x, i)
         {
             start.x[i] = begin.x[i] + factor*(first.x[i] - begin.x[i]);
@@ -108,10 +108,10 @@ struct memberParts
     //- Of the contacts in both stages, over the length of the second [N]
     vectorField impulses
     (
-        const clumpInteraction::member& second, const scalar g
+        const clumpInteraction::coupledClump& second, const scalar g
     ) const
     {
-        return second.received + (1 - g)/g*ofFirst.received;
+        return second.received + (1 - g)/g*firstStage.received;
     }
 
     //- Kinetic and elastic energy, less the work of the given forces since the start of
@@ -146,25 +146,25 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
 ) const
 {
     const scalar g = 1 - Foam::sqrt(0.5);
-    UList<clumpInteraction::member>& members = group.members();
+    UList<clumpInteraction::coupledClump>& clumps = group.coupledClumps();
 
-    PtrList<memberParts> parts(members.size());
-    forAll(members, m)
+    PtrList<coupledParts> parts(clumps.size());
+    forAll(clumps, m)
     {
-        parts.set(m, new memberParts(members[m], dt));
-        members[m].start = &parts[m].start;
-        members[m].ext = &parts[m].ext;
-        *members[m].end = parts[m].begin;
+        parts.set(m, new coupledParts(clumps[m], dt));
+        clumps[m].start = &parts[m].start;
+        clumps[m].ext = &parts[m].ext;
+        *clumps[m].end = parts[m].begin;
     }
 
     label nSolves = 0;
     bool complete = true;
     const auto solveStage = [&](const scalar h)
     {
-        forAll(members, m)
+        forAll(clumps, m)
         {
-            *members[m].end = parts[m].start;
-            members[m].guessed = false;
+            *clumps[m].end = parts[m].start;
+            clumps[m].hasGuess = false;
             parts[m].setForces(h);
         }
         group.beginStage(h);
@@ -174,9 +174,9 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
     const auto energy = [&]()
     {
         scalar result = group.elasticEnergy();
-        forAll(members, m)
+        forAll(clumps, m)
         {
-            result += parts[m].energy(*members[m].end);
+            result += parts[m].energy(*clumps[m].end);
         }
         return returnReduce(result, sumOp<scalar>());
     };
@@ -194,9 +194,9 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
                 return true;
             }
             scalar power = 0;
-            forAll(members, m)
+            forAll(clumps, m)
             {
-                power += sum(parts[m].impulses(members[m], g) & members[m].end->u);
+                power += sum(parts[m].impulses(clumps[m], g) & clumps[m].end->u);
             }
             reduce(power, sumOp<scalar>());
             if (gain >= 0.1*g*h*mag(power))
@@ -204,15 +204,15 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
                 return false;
             }
             const scalar part = gain/(g*h*power);
-            forAll(members, m)
+            forAll(clumps, m)
             {
-                clumpInteraction::member& member = members[m];
-                member.received -= part*parts[m].impulses(member, g);
+                clumpInteraction::coupledClump& clump = clumps[m];
+                clump.received -= part*parts[m].impulses(clump, g);
                 externalForces ext(parts[m].ext);
-                ext.f += member.received;
+                ext.f += clump.received;
                 balanceMomentum
                 (
-                    member.bonds->type(), ext, g*h, parts[m].start, *member.end
+                    clump.bonds->type(), ext, g*h, parts[m].start, *clump.end
                 );
             }
         }
@@ -225,9 +225,9 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
         const scalar before = energy();
         solveStage(g*h);
         group.endStage((1 - g)*h/dt);
-        forAll(members, m)
+        forAll(clumps, m)
         {
-            parts[m].goBeyond(members[m], (1 - g)/g);
+            parts[m].goBeyond(clumps[m], (1 - g)/g);
         }
         solveStage(g*h);
         group.endStage(g*h/dt);
@@ -235,34 +235,34 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
         {
             return false;
         }
-        forAll(members, m)
+        forAll(clumps, m)
         {
-            parts[m].receive(parts[m].ofFirst, (1 - g)*h/dt);
-            parts[m].receive(members[m], g*h/dt);
+            parts[m].receive(parts[m].firstStage, (1 - g)*h/dt);
+            parts[m].receive(clumps[m], g*h/dt);
         }
         return true;
     };
 
     for (scalar left = dt; left > 0; )
     {
-        forAll(members, m)
+        forAll(clumps, m)
         {
-            parts[m].begin = *members[m].end;
+            parts[m].begin = *clumps[m].end;
             parts[m].start = parts[m].begin;
         }
         bool resolves = false;
         const scalar h = group.part(left, resolves);
         if (!resolves || !inStages(h))
         {
-            forAll(members, m)
+            forAll(clumps, m)
             {
                 parts[m].start = parts[m].begin;
             }
             solveStage(h);
             group.endStage(resolves ? 0 : h/dt);
-            forAll(members, m)
+            forAll(clumps, m)
             {
-                parts[m].receive(members[m], h/dt);
+                parts[m].receive(clumps[m], h/dt);
             }
         }
         breakBonds(group);
@@ -270,28 +270,28 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
     }
     group.complete = complete;
 
-    forAll(members, m)
+    forAll(clumps, m)
     {
-        clumpInteraction::member& member = members[m];
-        memberParts& p = parts[m];
-        const clumpType& type = member.bonds->type();
-        member.start = p.given.start;
-        member.ext = p.given.ext;
-        member.guessed = true;
-        member.received = p.received;
-        member.receivedTorques = p.receivedTorques;
+        clumpInteraction::coupledClump& clump = clumps[m];
+        coupledParts& p = parts[m];
+        const clumpType& type = clump.bonds->type();
+        clump.start = p.given.start;
+        clump.ext = p.given.ext;
+        clump.hasGuess = true;
+        clump.received = p.received;
+        clump.receivedTorques = p.receivedTorques;
 
         // The forces act at the end, for the balance over the step
-        const point centre(member.end->centre(type));
-        const vectorField arms(member.end->x - centre);
+        const point centre(clump.end->centre(type));
+        const vectorField arms(clump.end->x - centre);
         const vector there(sum(arms ^ p.received));
-        member.receivedTorques +=
+        clump.receivedTorques +=
             type.inertias()/sum(type.inertias())*(p.moment - there);
 
-        externalForces ext(*member.ext);
-        ext.f += member.received;
-        ext.t += member.receivedTorques;
-        balanceMomentum(type, ext, dt, *member.start, *member.end);
+        externalForces ext(*clump.ext);
+        ext.f += clump.received;
+        ext.t += clump.receivedTorques;
+        balanceMomentum(type, ext, dt, *clump.start, *clump.end);
     }
     return nSolves;
 }

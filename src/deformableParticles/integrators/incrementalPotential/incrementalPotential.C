@@ -54,7 +54,7 @@ Foam::incrementalPotential::incrementalPotential
     oneByDt_(dt > 0 ? 1/dt : 0),
     start_(start),
     group_(nullptr),
-    member_(-1),
+    groupIndex_(-1),
     forces_(bonds, start),
     F_(type_.size()),
     T_(type_.size())
@@ -107,7 +107,7 @@ Foam::scalar Foam::incrementalPotential::value
             vector h(-ext_.t[i]);
             if (group_ && group_->turns())
             {
-                h -= group_->torques(member_)[i];
+                h -= group_->torques(groupIndex_)[i];
             }
             if (moving())
             {
@@ -134,7 +134,7 @@ Foam::scalar Foam::incrementalPotential::value
 
     if (group_)
     {
-        W += group_->energy(member_);
+        W += group_->energy(groupIndex_);
         addInteraction(gradient, K);
     }
 
@@ -150,7 +150,7 @@ void Foam::incrementalPotential::addInteraction
 {
     if (gradient)
     {
-        const vectorField& f = group_->forces(member_);
+        const vectorField& f = group_->forces(groupIndex_);
         forAll(f, i)
         {
             gradient->segment<3>(6*i) -=
@@ -159,14 +159,14 @@ void Foam::incrementalPotential::addInteraction
     }
     if (K)
     {
-        const symmTensorField stiffness(group_->stiffness(member_));
+        const symmTensorField stiffness(group_->stiffness(groupIndex_));
         forAll(stiffness, i)
         {
             K->diagonal(i).topLeftCorner<3, 3>() += matrix(stiffness[i]);
         }
         if (group_->turns())
         {
-            group_->addRotations(member_, *K);
+            group_->addRotations(groupIndex_, *K);
         }
     }
 }

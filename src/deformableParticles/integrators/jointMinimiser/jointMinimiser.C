@@ -29,7 +29,7 @@ Foam::jointMinimiser::jointMinimiser
     group_(group),
     tolerance_(tolerance),
     maxIterations_(maxIterations),
-    potentials_(group.members().size()),
+    potentials_(group.coupledClumps().size()),
     tangents_(2*potentials_.size()),
     used_(potentials_.size(), Zero),
     here_(scalar(0)),
@@ -47,24 +47,24 @@ Foam::jointMinimiser::jointMinimiser
 {
     forAll(potentials_, m)
     {
-        const clumpInteraction::member& member = group_.members()[m];
+        const clumpInteraction::coupledClump& clump = group_.coupledClumps()[m];
         potentials_.set
         (
             m,
             new incrementalPotential
             (
-                *member.bonds, *member.ext, dt, *member.start
+                *clump.bonds, *clump.ext, dt, *clump.start
             )
         );
         potentials_[m].interactWith(group_, m);
         for (const label k : {0, 1})
         {
-            tangents_.set(2*m + k, new clumpTangent(member.bonds->pattern()));
+            tangents_.set(2*m + k, new clumpTangent(clump.bonds->pattern()));
         }
 
         const Eigen::VectorXd none
         (
-            Eigen::VectorXd::Zero(6*member.start->x.size())
+            Eigen::VectorXd::Zero(6*clump.start->x.size())
         );
         for (motions* list : {&g_, &own_, &d_, &r_, &z_, &p_, &Kp_, &Ap_})
         {
@@ -79,7 +79,7 @@ void Foam::jointMinimiser::evaluate()
     group_.evaluate();
     here_[lacking] = group_.incomplete();
 
-    for (const label i : {ofPotentials, ofMagnitudes, ofGradients, slope})
+    for (const label i : {potentialSum, magnitudeSum, gradientSum, slope})
     {
         here_[i] = 0;
     }
@@ -92,9 +92,9 @@ void Foam::jointMinimiser::evaluate()
             nRenewed_[m] = group_.nRenewed(m);
             isOld_[m] = true;
         }
-        here_[ofPotentials] += values_[m];
-        here_[ofMagnitudes] += mag(values_[m]);
-        here_[ofGradients] += sqr(newtonMinimiser::size(type(m), g_[m]));
+        here_[potentialSum] += values_[m];
+        here_[magnitudeSum] += mag(values_[m]);
+        here_[gradientSum] += sqr(newtonMinimiser::size(type(m), g_[m]));
         here_[slope] += g_[m].dot(d_[m]);
     }
 }
@@ -242,7 +242,7 @@ bool Foam::jointMinimiser::takeStep()
     for (label attempt = 0; !lowers(sums0, attempt); ++attempt)
     {
         const bool far =
-            sums_[slope] > 0 || sums_[ofPotentials] > sums0[ofPotentials];
+            sums_[slope] > 0 || sums_[potentialSum] > sums0[potentialSum];
         if (!far && part == high)
         {
             break;  // downhill as far as the step may go
@@ -277,9 +277,9 @@ bool Foam::jointMinimiser::lowers
 {
     // Close to the minimum the sum changes by rounding and by what its gradient leaves
     // out, while the gradient still falls
-    const scalar change = sums_[ofPotentials] - sums0[ofPotentials];
+    const scalar change = sums_[potentialSum] - sums0[potentialSum];
     const bool lower = change <= 0;
-    const bool rounded = change <= 1e-10*sums0[ofMagnitudes];
+    const bool rounded = change <= 1e-10*sums0[magnitudeSum];
     const bool flatter = mag(sums_[slope]) < 0.5*mag(sums_[slopeBefore]);
     return
         attempt >= 59
@@ -287,7 +287,7 @@ bool Foam::jointMinimiser::lowers
      || (lower && (flatter || attempt > 30))
      || (
             (rounded || lastStep_ < close)
-         && sums_[ofGradients] < 0.25*sums0[ofGradients]
+         && sums_[gradientSum] < 0.25*sums0[gradientSum]
         );
 }
 
@@ -298,12 +298,12 @@ void Foam::jointMinimiser::predict(const motions& steps)
     {
         forAll(potentials_, m)
         {
-            const clumpInteraction::member& member = group_.members()[m];
-            if (!member.guessed)
+            const clumpInteraction::coupledClump& clump = group_.coupledClumps()[m];
+            if (!clump.hasGuess)
             {
                 newtonMinimiser::moveBy
                 (
-                    type(m), *member.start, steps[m], fraction, *member.end
+                    type(m), *clump.start, steps[m], fraction, *clump.end
                 );
                 moved_[m] = GREAT;
                 hasMoved_[m] = true;
@@ -313,7 +313,7 @@ void Foam::jointMinimiser::predict(const motions& steps)
     };
 
     evaluate();
-    here_[unmoved] = here_[ofPotentials];
+    here_[unmoved] = here_[potentialSum];
     here_[passable] = -group_.passable(steps);
     here_[untried] = here_[passable] > -1;
     start(here_[untried] > 0 ? 0 : 1);
@@ -321,7 +321,7 @@ void Foam::jointMinimiser::predict(const motions& steps)
     {
         start(-sums_[passable]);
     }
-    if (sums_[ofPotentials] > sums_[unmoved])
+    if (sums_[potentialSum] > sums_[unmoved])
     {
         start(0);
     }

@@ -49,7 +49,7 @@ void Foam::forcingModels::continuous::setStrength
 {
     for (coveredCell& c : covered.cells())
     {
-        c.share = c.lambda;
+        c.forcingWeight = c.lambda;
         strength[c.celli] = solidFraction[c.celli]/dt;
     }
 }

@@ -140,13 +140,13 @@ Foam::label Foam::integrators::velocityVerlet::advance
     const scalar dt
 ) const
 {
-    UList<clumpInteraction::member>& members = group.members();
+    UList<clumpInteraction::coupledClump>& clumps = group.coupledClumps();
     label nSolves = 0;
 
-    forAll(members, m)
+    forAll(clumps, m)
     {
-        *members[m].end = *members[m].start;
-        members[m].received = vectorField(members[m].start->x.size(), Zero);
+        *clumps[m].end = *clumps[m].start;
+        clumps[m].received = vectorField(clumps[m].start->x.size(), Zero);
     }
 
     // What acts between the clumps is constant over every part of the step
@@ -158,28 +158,28 @@ Foam::label Foam::integrators::velocityVerlet::advance
         group.evaluate();
 
         scalar h = left;
-        List<externalForces> ext(members.size());
-        forAll(members, m)
+        List<externalForces> ext(clumps.size());
+        forAll(clumps, m)
         {
-            const clumpInteraction::member& member = members[m];
-            const clumpState& s = *member.end;
-            ext[m] = *member.ext;
+            const clumpInteraction::coupledClump& clump = clumps[m];
+            const clumpState& s = *clump.end;
+            ext[m] = *clump.ext;
             vectorField added(group.forces(m));
-            const vectorField moved(s.x - member.start->x);
+            const vectorField moved(s.x - clump.start->x);
             added -= ext[m].k & moved;
             ext[m].f += added;
 
             externalForces all(ext[m]);
             all.k += group.stiffness(m);
-            h = min(h, stableStep(*member.bonds, all, s.x));
+            h = min(h, stableStep(*clump.bonds, all, s.x));
         }
         reduce(h, minOp<scalar>());
 
-        forAll(members, m)
+        forAll(clumps, m)
         {
-            clumpInteraction::member& member = members[m];
-            advance(*member.bonds, ext[m], h, *member.end);
-            member.received += h/dt*group.forces(m);
+            clumpInteraction::coupledClump& clump = clumps[m];
+            advance(*clump.bonds, ext[m], h, *clump.end);
+            clump.received += h/dt*group.forces(m);
             ++nSolves;
         }
         left = h < left ? left - h : 0;

@@ -47,14 +47,14 @@ void Foam::loads::rotatingField::add(const site& clump, externalForces& ext) con
         constant::mathematical::twoPi*frequency_*clump.time();
     const vector B(quaternion(axis_, angle).transform(field_));
 
-    const scalarField shares
+    const scalarField fractions
     (
         clump.type.part()*clump.type.volumes()/sum(clump.type.volumes())
     );
-    forAll(shares, i)
+    forAll(fractions, i)
     {
         const vector m(clump.state.q[i].transform(moment_));
-        ext.f[i] += shares[i]*charge_*B;
-        ext.t[i] += shares[i]*(m ^ B);
+        ext.f[i] += fractions[i]*charge_*B;
+        ext.t[i] += fractions[i]*(m ^ B);
     }
 }

@@ -13,7 +13,7 @@ namespace Foam
 }
 
 
-Foam::contactModel::pressure Foam::contactModel::ofSurfaces
+Foam::contactModel::pressure Foam::contactModel::surfacePressure
 (
     const scalar overlap,
     const scalar R

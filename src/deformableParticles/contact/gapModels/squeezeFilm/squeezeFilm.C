@@ -36,8 +36,9 @@ Foam::string Foam::gapModels::squeezeFilm::idleReason
     }
     OStringStream os;
     os  << "Entry 'roughness' is " << roughness_ << " m, but the film acts below the"
-        << " gap " << limit << " m (" << ofWall << " widths of the mesh cells) and above"
-        << " the roughness only. Reduce the roughness; tens of nanometres are usual.";
+        << " gap " << limit << " m (" << wallLimit << " widths of the mesh cells) and"
+        << " above the roughness only. Reduce the roughness; tens of nanometres are"
+        << " usual.";
     return os.str();
 }
 

@@ -82,7 +82,7 @@ void Foam::forcingModels::sharp::setStrength
                 inertia, full_*nu[c.celli]/(geometry[c.celli].width*radius)
             );
         }
-        c.share = S;
+        c.forcingWeight = S;
         strength[c.celli] += S;
     }
 }

@@ -5,7 +5,7 @@
 
 #include "testCatch.H"
 #include "testCloud.H"
-#include "contactShares.H"
+#include "contactWeights.H"
 #include "contactModel.H"
 #include "mathematicalConstants.H"
 
@@ -51,7 +51,7 @@ pressed press
     );
     const auto touching = [](const pointField& x, const pointField& y)
     {
-        DynamicList<contactShares::pair> pairs;
+        DynamicList<contactWeights::pair> pairs;
         forAll(x, i)
         {
             forAll(y, j)
@@ -75,18 +75,18 @@ pressed press
         auto pairs(first ? touching(xA, xB) : touching(xB, xA));
         if (shared && first)
         {
-            contactShares::set(pairs, xA, radiiA, xB, radiiB);
+            contactWeights::set(pairs, xA, radiiA, xB, radiiB);
         }
         else if (shared)
         {
-            contactShares::set(pairs, xB, radiiB, xA, radiiA);
+            contactWeights::set(pairs, xB, radiiB, xA, radiiA);
         }
-        for (const contactShares::pair& p : pairs)
+        for (const contactWeights::pair& p : pairs)
         {
             const scalar depth = shared ? p.depth : p.overlap;
             const vector f
             (
-                p.share*model->force(depth, 0, r, r, 1, 1)*p.normal
+                p.weight*model->force(depth, 0, r, r, 1, 1)*p.normal
             );
             (first ? result.force : result.reaction) += f;
 
@@ -114,7 +114,7 @@ pressed edgeToEdge(const label n, const scalar R, const scalar d, const bool sha
 }
 
 
-TEST_CASE("contact shares: a lone pair has the law to itself", "[contact][serial]")
+TEST_CASE("contact weights: a lone pair has the law to itself", "[contact][serial]")
 {
     const pointField one(1, point::zero);
     const scalar d = 0.05*r;
@@ -128,7 +128,7 @@ TEST_CASE("contact shares: a lone pair has the law to itself", "[contact][serial
 }
 
 
-TEST_CASE("contact shares: as stiff for any number of spheres", "[contact][serial]")
+TEST_CASE("contact weights: as stiff for any number of spheres", "[contact][serial]")
 {
     for (const scalar d : {0.02*r, 0.05*r, 0.1*r, 0.2*r})
     {
@@ -169,7 +169,7 @@ TEST_CASE("contact shares: as stiff for any number of spheres", "[contact][seria
 }
 
 
-TEST_CASE("contact shares: action and reaction", "[contact][serial]")
+TEST_CASE("contact weights: action and reaction", "[contact][serial]")
 {
     Random random(31);
     label met = 0;
@@ -192,7 +192,7 @@ TEST_CASE("contact shares: action and reaction", "[contact][serial]")
 }
 
 
-TEST_CASE("contact shares: the force changes continuously", "[contact][serial]")
+TEST_CASE("contact weights: the force changes continuously", "[contact][serial]")
 {
     // A ring slides over another, tilted one, so that pairs come and go
     const label n = GENERATE(8, 10, 16, 32);
@@ -219,7 +219,7 @@ TEST_CASE("contact shares: the force changes continuously", "[contact][serial]")
 }
 
 
-TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
+TEST_CASE("contact weights: as stiff on a wall", "[contact][walls][serial]")
 {
     // Floor far larger than the ring
     const point a(-20e-6, -20e-6, 0), b(20e-6, -20e-6, 0);
@@ -253,13 +253,13 @@ TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
             around.max() += r*vector::one;
             for
             (
-                const auto& w : contactShares::ofWalls
+                const auto& w : contactWeights::findWallContacts
                 (
                     floor, floor.near(around), x, scalarField(n, r)
                 )
             )
             {
-                f += w.share*w.wall.normal*model->force(w.depth, 0, r, 1);
+                f += w.weight*w.wall.normal*model->force(w.depth, 0, r, 1);
             }
             return f;
         };
@@ -282,7 +282,8 @@ TEST_CASE("contact shares: as stiff on a wall", "[contact][walls][serial]")
 }
 
 
-TEST_CASE("contact shares: continuous where a second face begins", "[contact][walls][serial]")
+TEST_CASE("contact weights: continuous where a second face begins",
+    "[contact][walls][serial]")
 {
     // The inside of a faceted tube: two faces that meet along y at an angle of 150 degrees
     const scalar L = 20e-6, z = L*Foam::tan(constant::mathematical::pi/6);
@@ -308,13 +309,13 @@ TEST_CASE("contact shares: continuous where a second face begins", "[contact][wa
         for
         (
             const auto& w
-          : contactShares::ofWalls
+          : contactWeights::findWallContacts
             (
                 edge, edge.near(boundBox(point(-L, -L, -L), point(L, L, L))), x, radii
             )
         )
         {
-            force += w.share*Foam::pow(w.depth/r, scalar(1.5));
+            force += w.weight*Foam::pow(w.depth/r, scalar(1.5));
         }
         jump = k ? max(jump, mag(force - before)) : 0;
         largest = max(largest, force);
@@ -326,18 +327,19 @@ TEST_CASE("contact shares: continuous where a second face begins", "[contact][wa
 }
 
 
-TEST_CASE("contact shares: the cost of a long contact is linear", "[contact][walls][serial]")
+TEST_CASE("contact weights: the cost of a long contact is linear",
+    "[contact][walls][serial]")
 {
     // Two bent chains side by side, and one of them on walls
-    labelList ofPairs(2), ofWall(2);
+    labelList nPairKernels(2), nWallKernels(2);
     for (const label twice : {0, 1})
     {
         const label n = twice ? 400 : 200;
         const scalarField radii(n, r);
         pointField x(n), y(n);
-        List<contactShares::pair> pairs;
-        List<contactShares::wallContact> contacts(n);
-        DynamicList<contactShares::pair> touching;
+        List<contactWeights::pair> pairs;
+        List<contactWeights::wallContact> contacts(n);
+        DynamicList<contactWeights::pair> touching;
         forAll(x, i)
         {
             x[i] = r*vector(i, 3*Foam::sin(0.05*i), 0);
@@ -359,15 +361,15 @@ TEST_CASE("contact shares: the cost of a long contact is linear", "[contact][wal
         }
         pairs = touching;
 
-        ofPairs[twice] = contactShares::set(pairs, x, radii, y, radii);
-        ofWall[twice] = contactShares::shareWalls(contacts, x, radii);
+        nPairKernels[twice] = contactWeights::set(pairs, x, radii, y, radii);
+        nWallKernels[twice] = contactWeights::setWallWeights(contacts, x, radii);
 
         // As the class says, over all
         scalar worst = 0;
-        for (const contactShares::pair& p : pairs)
+        for (const contactWeights::pair& p : pairs)
         {
             scalar sum = 0, depth = 0;
-            for (const contactShares::pair& q : pairs)
+            for (const contactWeights::pair& q : pairs)
             {
                 const scalar W = Foam::exp
                 (
@@ -379,10 +381,10 @@ TEST_CASE("contact shares: the cost of a long contact is linear", "[contact][wal
                     depth = max(depth, q.overlap*Foam::sqrt(W));
                 }
             }
-            const scalar share =
+            const scalar weight =
                 p.overlap > 0
               ? sqr(p.overlap)/sum : sqr(depth)/(sqr(depth) + sum);
-            worst = max(worst, mag(p.share - share));
+            worst = max(worst, mag(p.weight - weight));
             worst = max
             (
                 worst, mag(p.depth - (p.overlap > 0 ? depth : p.overlap))/r
@@ -391,10 +393,10 @@ TEST_CASE("contact shares: the cost of a long contact is linear", "[contact][wal
         CHECK(worst < 1e-14);
 
         worst = 0;
-        for (const contactShares::wallContact& c : contacts)
+        for (const contactWeights::wallContact& c : contacts)
         {
             scalar sum = 0, deepest = 0;
-            for (const contactShares::wallContact& d : contacts)
+            for (const contactWeights::wallContact& d : contacts)
             {
                 const scalar G =
                     sqr(d.wall.overlap)
@@ -402,22 +404,22 @@ TEST_CASE("contact shares: the cost of a long contact is linear", "[contact][wal
                 sum += G;
                 deepest = max(deepest, G);
             }
-            worst = max(worst, mag(c.share - sqr(c.wall.overlap)/sum));
+            worst = max(worst, mag(c.weight - sqr(c.wall.overlap)/sum));
             worst = max(worst, mag(c.depth - Foam::sqrt(deepest))/r);
         }
         CHECK(worst < 1e-14);
     }
     INFO
     (
-        "kernels: pairs " << ofPairs[0] << " and " << ofPairs[1]
-     << ", walls " << ofWall[0] << " and " << ofWall[1]
+        "kernels: pairs " << nPairKernels[0] << " and " << nPairKernels[1]
+     << ", walls " << nWallKernels[0] << " and " << nWallKernels[1]
     );
-    CHECK(ofPairs[1] < 2.2*ofPairs[0]);
-    CHECK(ofWall[1] < 2.2*ofWall[0]);
+    CHECK(nPairKernels[1] < 2.2*nPairKernels[0]);
+    CHECK(nWallKernels[1] < 2.2*nWallKernels[0]);
 }
 
 
-TEST_CASE("contact shares: two rings of a cloud", "[contact][serial]")
+TEST_CASE("contact weights: two rings of a cloud", "[contact][serial]")
 {
     // The momentum that a ring gains in a short step
     const scalar d = 0.1*1.955e-6, D = 2*1.955e-6 - d;

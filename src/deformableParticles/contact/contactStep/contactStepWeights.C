@@ -10,8 +10,8 @@ namespace
 
 using namespace Foam;
 
-//- What takes the place of the overlap where spheres share a gap: zero at the range of
-//  what acts across it, and falling with the gap as fast as that does
+//- What takes the place of the overlap where the spheres of a clump face one gap: zero
+//  at the range of what acts across it, and falling with the gap as fast as that does
 scalar closeness(const scalar gap, const scalar range)
 {
     const scalar x = 6*gap/range;
@@ -21,64 +21,64 @@ scalar closeness(const scalar gap, const scalar range)
 }
 
 
-void Foam::contactStep::sharePairs(UList<touch>& ofTwo) const
+void Foam::contactStep::setPairWeights(UList<sphereContact>& contacts) const
 {
-    List<contactShares::pair> pairs(ofTwo.size());
+    List<contactWeights::pair> pairs(contacts.size());
     forAll(pairs, k)
     {
-        const touch& t = ofTwo[k];
+        const sphereContact& t = contacts[k];
         pairs[k] = {t.a, t.i, t.b, t.j, t.n, t.d, 1, t.d};
     }
-    setShares(pairs, ofTwo[0]);
+    setWeights(pairs, contacts[0]);
     forAll(pairs, k)
     {
-        ofTwo[k].share = pairs[k].share;
-        ofTwo[k].ratio =
+        contacts[k].weight = pairs[k].weight;
+        contacts[k].ratio =
             pairs[k].overlap > 0 ? pairs[k].depth/pairs[k].overlap : 1;
     }
 }
 
 
-void Foam::contactStep::shareGaps(UList<touch>& ofTwo) const
+void Foam::contactStep::setGapWeights(UList<sphereContact>& contacts) const
 {
-    List<contactShares::pair> pairs(ofTwo.size());
+    List<contactWeights::pair> pairs(contacts.size());
     forAll(pairs, k)
     {
-        const touch& t = ofTwo[k];
+        const sphereContact& t = contacts[k];
         pairs[k] =
         {
             t.a, t.i, t.b, t.j, t.n, closeness(-t.d, t.range), 1, 0
         };
     }
-    setShares(pairs, ofTwo[0]);
+    setWeights(pairs, contacts[0]);
     forAll(pairs, k)
     {
-        ofTwo[k].gapShare = pairs[k].share;
+        contacts[k].gapWeight = pairs[k].weight;
     }
 }
 
 
-void Foam::contactStep::setShares
+void Foam::contactStep::setWeights
 (
-    UList<contactShares::pair>& pairs,
-    const touch& t
+    UList<contactWeights::pair>& pairs,
+    const sphereContact& t
 ) const
 {
     const clumpImage& A = ghosts_.images()[t.a];
     const clumpImage& B = ghosts_.images()[t.b];
-    contactShares::set
+    contactWeights::set
     (
         pairs,
         pointField(A.x + moved_[t.a]), types_[A.typeId].radii(),
-        pointField(B.x + moved_[t.slot]), types_[B.typeId].radii()
+        pointField(B.x + moved_[t.otherIndex]), types_[B.typeId].radii()
     );
 }
 
 
-void Foam::contactStep::shareWalls
+void Foam::contactStep::setWallWeights
 (
     const label a,
-    DynamicList<touch>& ofClump
+    DynamicList<sphereContact>& contacts
 ) const
 {
     const clumpParcel& p = clumps_[a];
@@ -88,10 +88,10 @@ void Foam::contactStep::shareWalls
     // Films and planes that do not act yet stay; what seemed to act by a plane continued
     // beyond the wall does not. A part of a step may end where a contact begins
     const scalar least = inPart_ ? 1e-9*min(r) : 0;
-    DynamicList<touch> result;
-    for (const touch& t : ofClump)
+    DynamicList<sphereContact> result;
+    for (const sphereContact& t : contacts)
     {
-        if (t.d <= least || !t.touches)
+        if (t.d <= least || !t.hasLaw)
         {
             result.append(t);
         }
@@ -99,26 +99,26 @@ void Foam::contactStep::shareWalls
     for
     (
         const auto& c
-      : contactShares::ofWalls(walls_.surface(), wallsNear_[a], x, r)
+      : contactWeights::findWallContacts(walls_.surface(), wallsNear_[a], x, r)
     )
     {
         if (c.wall.overlap <= least)
         {
             continue;
         }
-        touch t(ofWall(a, c.i, x[c.i], c.wall, c.wall.overlap));
-        t.touches = true;
+        sphereContact t(makeWallContact(a, c.i, x[c.i], c.wall, c.wall.overlap));
+        t.hasLaw = true;
         t.law = &walls_.laws()(p.typeId(), c.wall.patch);
         t.radii = t.d + fromWall(t, moved_[a][c.i]);
         t.first =
             t.radii - (inPart_ ? fromWall(t, before_[a][c.i]) : 0);
-        t.share = c.share;
+        t.weight = c.weight;
         t.ratio = c.depth/c.wall.overlap;
         // The mass that the sphere had there before
         scalar m = GREAT;
-        for (const touch& former : ofClump)
+        for (const sphereContact& former : contacts)
         {
-            if (former.touches && former.i == t.i)
+            if (former.hasLaw && former.i == t.i)
             {
                 m = min(m, former.m);
             }
@@ -126,13 +126,13 @@ void Foam::contactStep::shareWalls
         t.m = m < GREAT ? m : t.m;
         result.append(t);
     }
-    ofClump.transfer(result);
+    contacts.transfer(result);
 }
 
 
 void Foam::contactStep::distribute(const bool all)
 {
-    DynamicList<touch> result;
+    DynamicList<sphereContact> result;
     for (label a = 0; a < clumps_.size(); ++a)
     {
         const label end = begins_[a + 1];
@@ -141,30 +141,30 @@ void Foam::contactStep::distribute(const bool all)
         while (k < end)
         {
             label next = k + 1;
-            while (next < end && touches_[next].b == touches_[k].b)
+            while (next < end && sphereContacts_[next].b == sphereContacts_[k].b)
             {
                 ++next;
             }
-            DynamicList<touch> ofOne;
-            ofOne.append(UList<touch>(&touches_[k], next - k));
-            if ((all || isMember_[a]) && ofOne[0].b < 0)
+            DynamicList<sphereContact> contacts;
+            contacts.append(UList<sphereContact>(&sphereContacts_[k], next - k));
+            if ((all || isCoupled_[a]) && contacts[0].b < 0)
             {
-                shareWalls(a, ofOne);
+                setWallWeights(a, contacts);
             }
-            else if (all || isMember_[a])
+            else if (all || isCoupled_[a])
             {
-                sharePairs(ofOne);
-                if (ofOne[0].reaches)
+                setPairWeights(contacts);
+                if (contacts[0].reaches)
                 {
-                    shareGaps(ofOne);
+                    setGapWeights(contacts);
                 }
             }
-            result.append(ofOne);
+            result.append(contacts);
             k = next;
         }
     }
     begins_.last() = result.size();
-    touches_.transfer(result);
+    sphereContacts_.transfer(result);
 }
 
 
@@ -173,7 +173,7 @@ bool Foam::contactStep::redistribute()
     // Change of the forces relative to their sum over the clump
     const scalar tolerance = 0.01;
 
-    formerTouches_ = touches_;
+    formerContacts_ = sphereContacts_;
     formerBegins_ = begins_;
     const List<vectorField> forces(forces_);
 
@@ -200,7 +200,7 @@ bool Foam::contactStep::redistribute()
 
 void Foam::contactStep::restore()
 {
-    touches_.transfer(formerTouches_);
+    sphereContacts_.transfer(formerContacts_);
     begins_ = formerBegins_;
     renew_ = true;
     renewForces();

@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "functionNames.H"
+#include "functionObjectTypes.H"
 #include "FlatOutput.H"
 #include "functionObject.H"
 #include "Time.H"
@@ -37,7 +37,7 @@ bool hasOtherLibrary(const dictionary& dict)
 }
 
 
-void Foam::functionNames::check(const Time& runTime)
+void Foam::functionObjectTypes::check(const Time& runTime)
 {
     // Those of the libraries that are loaded already: of this one, and of OpenFOAM's
     // that it uses

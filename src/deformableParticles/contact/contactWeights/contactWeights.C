@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "contactShares.H"
+#include "contactWeights.H"
 #include "nearPoints.H"
 
 namespace
@@ -23,7 +23,7 @@ scalar reach(const scalar r, const scalar largest, const scalar exponent)
 }
 
 
-Foam::label Foam::contactShares::set
+Foam::label Foam::contactWeights::set
 (
     UList<pair>& pairs,
     const UList<point>& xA,
@@ -55,13 +55,13 @@ Foam::label Foam::contactShares::set
         for (const label k : near(xA[p.i], within))
         {
             const pair& q = pairs[touching[k]];
-            const scalar ofA = exponent(xA[p.i], xA[q.i], rA[p.i], rA[q.i]);
-            const scalar ofB = exponent(xB[p.j], xB[q.j], rB[p.j], rB[q.j]);
-            if (ofA + ofB > largestExponent)
+            const scalar exponentA = exponent(xA[p.i], xA[q.i], rA[p.i], rA[q.i]);
+            const scalar exponentB = exponent(xB[p.j], xB[q.j], rB[p.j], rB[q.j]);
+            if (exponentA + exponentB > largestExponent)
             {
                 continue;
             }
-            const scalar W = Foam::exp(-ofA)*Foam::exp(-ofB);
+            const scalar W = Foam::exp(-exponentA)*Foam::exp(-exponentB);
             ++nKernels;
 
             sum += sqr(q.overlap)*W;
@@ -69,12 +69,12 @@ Foam::label Foam::contactShares::set
         }
         if (p.overlap > 0)
         {
-            p.share = sqr(p.overlap)/max(sum, VSMALL);
+            p.weight = sqr(p.overlap)/max(sum, VSMALL);
             p.depth = depth;
         }
         else
         {
-            p.share = depth > 0 ? sqr(depth)/(sqr(depth) + sum) : 1;
+            p.weight = depth > 0 ? sqr(depth)/(sqr(depth) + sum) : 1;
             p.depth = p.overlap;
         }
     }
@@ -82,8 +82,8 @@ Foam::label Foam::contactShares::set
 }
 
 
-Foam::DynamicList<Foam::contactShares::wallContact>
-Foam::contactShares::ofWalls
+Foam::DynamicList<Foam::contactWeights::wallContact>
+Foam::contactWeights::findWallContacts
 (
     const wallSurface& walls,
     const UList<label>& triangles,
@@ -103,13 +103,13 @@ Foam::contactShares::ofWalls
             result.append({i, c, symmTensor::zero, 0, 0});
         }
     }
-    shareWalls(result, x, r);
+    setWallWeights(result, x, r);
     return result;
 }
 
 
-Foam::DynamicList<Foam::contactShares::wallContact>
-Foam::contactShares::filmsOfWalls
+Foam::DynamicList<Foam::contactWeights::wallContact>
+Foam::contactWeights::findWallFilms
 (
     const wallSurface& walls,
     const UList<label>& triangles,
@@ -131,12 +131,12 @@ Foam::contactShares::filmsOfWalls
             result.append({i, f.nearest, f.curvature, 0, 0});
         }
     }
-    shareWalls(result, x, r);
+    setWallWeights(result, x, r);
     return result;
 }
 
 
-Foam::label Foam::contactShares::shareWalls
+Foam::label Foam::contactWeights::setWallWeights
 (
     UList<wallContact>& contacts,
     const UList<point>& x,
@@ -162,7 +162,7 @@ Foam::label Foam::contactShares::shareWalls
         for (label m = first[k]; m < first[k + 1]; ++m)
         {
             const wallSurface::contact& c = contacts[m].wall;
-            const scalar s = c.share*sqr(max(n & c.normal, scalar(0)));
+            const scalar s = c.weight*sqr(max(n & c.normal, scalar(0)));
             overlap2 += s*sqr(c.overlap);
             overlap4 += s*pow4(c.overlap);
         }
@@ -206,14 +206,14 @@ Foam::label Foam::contactShares::shareWalls
             sum += G;
             deepest = max(deepest, G);
         }
-        c.share = c.wall.share*own/sum;
+        c.weight = c.wall.weight*own/sum;
         c.depth = c.wall.overlap*Foam::sqrt(deepest/mean2);
     }
     return nKernels;
 }
 
 
-Foam::scalar Foam::contactShares::mass
+Foam::scalar Foam::contactWeights::mass
 (
     const label i,
     const UList<point>& x,

@@ -49,6 +49,14 @@ Foam::couplingIteration::couplingIteration
     tolerance_(0),
     nCorrectors_(0),
     nBefore_(0),
+    state_
+    (
+        IOobject
+        (
+            "outerCorrectors", cloud.mesh().time().timeName(), "uniform",
+            cloud.mesh().time(), IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        )
+    ),
     withoutClumps_(false),
     nextWithout_(false),
     last_(0),
@@ -184,16 +192,12 @@ Foam::scalar Foam::couplingIteration::reduction() const
     {
         return 0;
     }
-    const bool many = nBefore_ > 3;
     if (nCorrectors_ == 1)
     {
-        return many ? 0.03 : 0;
+        return nBefore_ > 3 ? 0.03 : 0;
     }
     const scalar rate = min(now_/before_, scalar(1));
-    return
-        rate*now_ >= tolerance_ ? 0.1*rate
-      : many ? 0.05*tolerance_/now_
-      : 0;
+    return rate*now_ < tolerance_ ? 0 : 0.1*rate;
 }
 
 
@@ -215,8 +219,7 @@ bool Foam::couplingIteration::converged()
 
     const scalar allowed = (nCorrectors_ == 1 ? 0.1 : 1)*tolerance_;
     const bool enough =
-        nCorrectors_ >= flow_.control().least()
-     && flow_.control().reduction()*now_ <= 0.051*tolerance_;
+        nCorrectors_ >= flow_.control().least() && !flow_.control().endsEarly();
     scalar residual = residual_.value(p0_);
     if (residual < allowed && enough && cloud_.motion().approximate())
     {
@@ -270,7 +273,7 @@ bool Foam::couplingIteration::loop()
 void Foam::couplingIteration::beginStep()
 {
     residual_.beginStep();
-    nBefore_ = nCorrectors_;
+    nBefore_ = state_.getOrDefault<label>("last", 0);
     nCorrectors_ = 0;
     now_ = 1;
     before_ = 1;
@@ -325,6 +328,7 @@ void Foam::couplingIteration::endStep()
 {
     if (clumpsFollow_)
     {
+        state_.set("last", nCorrectors_);
         Info<< "Outer correctors: " << nCorrectors_ << ", residual " << last_
             << endl;
         ++nSteps_;

@@ -195,6 +195,13 @@ bool Foam::outerCorrectors::finalPressure() const
 }
 
 
+void Foam::outerCorrectors::allow(const scalar reduction)
+{
+    const scalar relTol = mesh_.solverDict("p").getOrDefault<scalar>("relTol", 0);
+    reduction_ = relTol > 0 && reduction > relTol ? reduction : 0;
+}
+
+
 Foam::dictionary Foam::outerCorrectors::solver
 (
     const dictionary& given,
@@ -203,6 +210,9 @@ Foam::dictionary Foam::outerCorrectors::solver
 {
     dictionary result(given);
     const scalar relTol = result.getOrDefault<scalar>("relTol", 0);
-    result.set("relTol", max(relTol, factor*reduction_));
+    if (relTol > 0)
+    {
+        result.set("relTol", max(relTol, factor*reduction_));
+    }
     return result;
 }

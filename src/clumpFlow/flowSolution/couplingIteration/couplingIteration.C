@@ -48,20 +48,9 @@ Foam::couplingIteration::couplingIteration
     residual_(cloud, flow, held),
     tolerance_(0),
     nCorrectors_(0),
-    nBefore_(0),
-    state_
-    (
-        IOobject
-        (
-            "outerCorrectors", cloud.mesh().time().timeName(), "uniform",
-            cloud.mesh().time(), IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
-        )
-    ),
     withoutClumps_(false),
     nextWithout_(false),
     last_(0),
-    now_(1),
-    before_(1),
     nSteps_(0),
     nMissed_(0),
     worst_(0)
@@ -186,21 +175,6 @@ bool Foam::couplingIteration::flowChanged() const
 }
 
 
-Foam::scalar Foam::couplingIteration::reduction() const
-{
-    if (tolerance_ <= 0 || nCorrectors_ == flow_.control().nCorrPIMPLE())
-    {
-        return 0;
-    }
-    if (nCorrectors_ == 1)
-    {
-        return nBefore_ > 3 ? 0.03 : 0;
-    }
-    const scalar rate = min(now_/before_, scalar(1));
-    return rate*now_ < tolerance_ ? 0 : 0.1*rate;
-}
-
-
 bool Foam::couplingIteration::converged()
 {
     if (withoutClumps_)
@@ -218,8 +192,7 @@ bool Foam::couplingIteration::converged()
     cloud_.predict(flow_.U(), flow_.p(), flow_.nu());
 
     const scalar allowed = (nCorrectors_ == 1 ? 0.1 : 1)*tolerance_;
-    const bool enough =
-        nCorrectors_ >= flow_.control().least() && !flow_.control().endsEarly();
+    const bool enough = nCorrectors_ >= flow_.control().least();
     scalar residual = residual_.value(p0_);
     if (residual < allowed && enough && cloud_.motion().approximate())
     {
@@ -230,8 +203,6 @@ bool Foam::couplingIteration::converged()
     {
         return true;
     }
-    before_ = now_;
-    now_ = residual;
     if (!flow_.Newtonian() && viscosityChanged())
     {
         acceleration_->clear();
@@ -263,7 +234,6 @@ bool Foam::couplingIteration::loop()
         p0_ = flow_.p().primitiveField();
     }
     ++nCorrectors_;
-    control.allow(reduction());
     withoutClumps_ = nextWithout_;
     nextWithout_ = false;
     return true;
@@ -273,10 +243,7 @@ bool Foam::couplingIteration::loop()
 void Foam::couplingIteration::beginStep()
 {
     residual_.beginStep();
-    nBefore_ = state_.getOrDefault<label>("last", 0);
     nCorrectors_ = 0;
-    now_ = 1;
-    before_ = 1;
     withoutClumps_ = false;
     nextWithout_ =
         clumpsFollow_ && cloud_.followedFlow() && flow_.control().nCorrPIMPLE() > 1;
@@ -328,7 +295,6 @@ void Foam::couplingIteration::endStep()
 {
     if (clumpsFollow_)
     {
-        state_.set("last", nCorrectors_);
         Info<< "Outer correctors: " << nCorrectors_ << ", residual " << last_
             << endl;
         ++nSteps_;

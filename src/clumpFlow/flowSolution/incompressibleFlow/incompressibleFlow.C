@@ -359,7 +359,7 @@ void Foam::incompressibleFlow::solveMomentum(fvVectorMatrix& UEqn)
     }
     else
     {
-        solve(UEqn == -gradp, control_->solver(UEqn.solverDict(), 0.1));
+        solve(UEqn == -gradp);
     }
 }
 

@@ -56,8 +56,7 @@ Foam::outerCorrectors::outerCorrectors(fvMesh& mesh, const bool iterates)
     pimpleControl(mesh, dictionaryName(mesh), false),
     iterates_(iterates),
     finalPressure_(solverGiven(mesh, "pFinal")),
-    finalVelocity_(solverGiven(mesh, "UFinal")),
-    reduction_(0)
+    finalVelocity_(solverGiven(mesh, "UFinal"))
 {
     residualControl_.clear();
     read();
@@ -192,27 +191,4 @@ void Foam::outerCorrectors::end()
 bool Foam::outerCorrectors::finalPressure() const
 {
     return finalPressure_ && finalInnerIter();
-}
-
-
-void Foam::outerCorrectors::allow(const scalar reduction)
-{
-    const scalar relTol = mesh_.solverDict("p").getOrDefault<scalar>("relTol", 0);
-    reduction_ = relTol > 0 && reduction > relTol ? reduction : 0;
-}
-
-
-Foam::dictionary Foam::outerCorrectors::solver
-(
-    const dictionary& given,
-    const scalar factor
-) const
-{
-    dictionary result(given);
-    const scalar relTol = result.getOrDefault<scalar>("relTol", 0);
-    if (relTol > 0)
-    {
-        result.set("relTol", max(relTol, factor*reduction_));
-    }
-    return result;
 }

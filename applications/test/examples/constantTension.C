@@ -40,11 +40,10 @@ public:
         const pointField& x, vectorField& gradient, membraneTangent* tangent
     ) const override
     {
-        using membraneModels::surfaceArea;
-        gradient += tension_*surfaceArea::areaGradient(surface_, x);
+        gradient += tension_*surface_.areaGradient(x);
         if (tangent)
         {
-            surfaceArea::addStretch(surface_, x, tension_, *tangent);
+            membraneModels::surfaceArea::addStretch(surface_, x, tension_, *tangent);
         }
         return tension_*surface_.area(x);
     }

@@ -6,27 +6,6 @@
 #include "helfrich.H"
 #include "surfaceFold.H"
 
-namespace
-{
-
-using namespace Foam;
-
-//- The derivatives of a triangle's area by its nodes
-FixedList<vector, 3> areaGradient(const triFace& t, const pointField& x)
-{
-    const vector S((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
-    const vector n(S/mag(S));
-    FixedList<vector, 3> g;
-    forAll(t, k)
-    {
-        g[k] = 0.5*(n ^ (x[t[t.rcIndex(k)]] - x[t[t.fcIndex(k)]]));
-    }
-    return g;
-}
-
-}
-
-
 namespace Foam
 {
 namespace membraneModels
@@ -96,7 +75,7 @@ Foam::scalar Foam::membraneModels::helfrich::add
     const scalarField areaDerivative(2*stiffness_*d*(d - 2*M/A)/3);
     for (const triFace& t : surface_.triangles())
     {
-        const FixedList<vector, 3> g(areaGradient(t, x));
+        const FixedList<vector, 3> g(closedSurface::areaGradient(t, x));
         const scalar k =
             areaDerivative[t[0]] + areaDerivative[t[1]] + areaDerivative[t[2]];
         forAll(t, n)
@@ -146,7 +125,7 @@ void Foam::membraneModels::helfrich::addTangent
     }
     for (const triFace& t : surface_.triangles())
     {
-        const FixedList<vector, 3> triangleGradient(areaGradient(t, x));
+        const FixedList<vector, 3> triangleGradient(closedSurface::areaGradient(t, x));
         for (const label i : t)
         {
             forAll(t, n)

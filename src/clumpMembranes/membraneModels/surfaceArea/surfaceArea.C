@@ -38,7 +38,7 @@ Foam::scalar Foam::membraneModels::surfaceArea::add
     membraneTangent* tangent
 ) const
 {
-    const vectorField g(areaGradient(surface_, x));
+    const vectorField g(surface_.areaGradient(x));
     const scalar excess = surface_.area(x) - area0_;
     const scalar tension = modulus_*excess/area0_;
     gradient += tension*g;
@@ -48,27 +48,6 @@ Foam::scalar Foam::membraneModels::surfaceArea::add
         addStretch(surface_, x, tension, *tangent);
     }
     return 0.5*tension*excess;
-}
-
-
-Foam::tmp<Foam::vectorField> Foam::membraneModels::surfaceArea::areaGradient
-(
-    const closedSurface& surface,
-    const pointField& x
-)
-{
-    auto tresult = tmp<vectorField>::New(x.size(), Zero);
-    vectorField& result = tresult.ref();
-    for (const triFace& t : surface.triangles())
-    {
-        const vector S((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
-        const vector n(S/mag(S));
-        forAll(t, k)
-        {
-            result[t[k]] += 0.5*(n ^ (x[t[t.rcIndex(k)]] - x[t[t.fcIndex(k)]]));
-        }
-    }
-    return tresult;
 }
 
 

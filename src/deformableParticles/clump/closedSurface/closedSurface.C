@@ -187,6 +187,38 @@ Foam::scalar Foam::closedSurface::area(const pointField& x) const
 }
 
 
+Foam::FixedList<Foam::vector, 3> Foam::closedSurface::areaGradient
+(
+    const triFace& t,
+    const pointField& x
+)
+{
+    const vector S((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
+    const vector n(S/mag(S));
+    FixedList<vector, 3> result;
+    forAll(t, k)
+    {
+        result[k] = 0.5*(n ^ (x[t[t.rcIndex(k)]] - x[t[t.fcIndex(k)]]));
+    }
+    return result;
+}
+
+
+Foam::vectorField Foam::closedSurface::areaGradient(const pointField& x) const
+{
+    vectorField result(x.size(), Zero);
+    for (const triFace& t : triangles_)
+    {
+        const FixedList<vector, 3> g(areaGradient(t, x));
+        forAll(t, k)
+        {
+            result[t[k]] += g[k];
+        }
+    }
+    return result;
+}
+
+
 Foam::scalar Foam::closedSurface::volume(const pointField& x) const
 {
     // Relative to a node: no cancellation far from the origin

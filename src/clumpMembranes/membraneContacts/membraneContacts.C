@@ -14,22 +14,12 @@ namespace
 
 using namespace Foam;
 
-dictionary entriesOf(const dictionary& dict)
-{
-    const dictionary result(dict.subOrEmptyDict("membraneContact"));
-    if (!result.found("type"))
-    {
-        checkEntries(result, {"range", "stress", "filmCutOff"});
-    }
-    return result;
-}
-
-
 //- The law of the entry type; null without it
 autoPtr<contactModel> lawOf(const dictionary& dict)
 {
     if (!dict.found("type"))
     {
+        checkEntries(dict, {"range", "stress", "filmCutOff"});
         return autoPtr<contactModel>();
     }
     dictionary own(dict);
@@ -43,15 +33,6 @@ autoPtr<contactModel> lawOf(const dictionary& dict)
             << " Remove them from membraneContact." << exit(FatalIOError);
     }
     return result;
-}
-
-
-//- Zero where it is not given
-scalar givenStress(const dictionary& dict)
-{
-    return
-        dict.found("stress") && !dict.found("type")
-      ? getPositive(dict, "stress") : 0;
 }
 
 
@@ -123,20 +104,23 @@ Foam::membraneContacts::membraneContacts
 )
 :
     types_(types),
-    cells_
-    (
-        getBetweenOrDefault
-        (
-            entriesOf(dict), "range", scalar(surfaceSpacing::byDefault), 0.05, 2
-        )
-    ),
-    cutOff_(getBetweenOrDefault(entriesOf(dict), "filmCutOff", 2, 0.2, 5)),
-    stress_(givenStress(entriesOf(dict))),
-    law_(lawOf(entriesOf(dict))),
+    law_(lawOf(dict.subOrEmptyDict("membraneContact"))),
+    stress_(0),
     range_(0),
     dt_(0),
     meshVelocity_(Zero)
-{}
+{
+    const dictionary entries(dict.subOrEmptyDict("membraneContact"));
+    cells_ = getBetweenOrDefault
+    (
+        entries, "range", scalar(surfaceSpacing::byDefault), 0.05, 2
+    );
+    cutOff_ = getBetweenOrDefault(entries, "filmCutOff", 2, 0.2, 5);
+    if (!law_.valid() && entries.found("stress"))
+    {
+        stress_ = getPositive(entries, "stress");
+    }
+}
 
 
 void Foam::membraneContacts::refuseSmallSpheres(const dictionary& types) const

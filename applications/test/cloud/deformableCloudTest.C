@@ -306,11 +306,7 @@ TEST_CASE("cloud: an iteration sees the clumps where the step began", "[cloud][c
         IOobject("p", testTime().timeName(), mesh),
         mesh, dimensionedScalar(sqr(dimVelocity), Zero)
     );
-    const volScalarField nu
-    (
-        IOobject("testNu", testTime().timeName(), mesh),
-        mesh, dimensionedScalar("nu", dimViscosity, 1.171e-6)
-    );
+    const volScalarField nu(uniformViscosity(mesh));
 
     // A step decides that there is contact
     t.immerse();

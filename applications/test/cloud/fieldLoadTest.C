@@ -238,11 +238,7 @@ TEST_CASE
         IOobject("testP", testTime().timeName(), testMesh()),
         testMesh(), dimensionedScalar(dimPressure/dimDensity, Zero)
     );
-    const volScalarField nu
-    (
-        IOobject("testNu", testTime().timeName(), testMesh()),
-        testMesh(), dimensionedScalar("nu", dimViscosity, 1e-6)
-    );
+    const volScalarField nu(uniformViscosity(testMesh(), 1e-6));
     for (label step = 0; step < 50; ++step)
     {
         cloud->evolve(U, p, nu);

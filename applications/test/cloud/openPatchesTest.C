@@ -75,11 +75,7 @@ public:
             }
         }
         ghosts_.update();
-        const volScalarField viscosity
-        (
-            IOobject("testNu", testTime().timeName(), testMesh()),
-            testMesh(), dimensionedScalar("nu", dimViscosity, nu)
-        );
+        const volScalarField viscosity(uniformViscosity(testMesh(), nu));
         boundary_->update(ghosts_.images(), viscosity);
         ghosts_.returnConstraints();
         for (label i = 0; i < ghosts_.nOwn(); ++i)
@@ -101,11 +97,7 @@ public:
         scalar& power
     )
     {
-        const volScalarField viscosity
-        (
-            IOobject("testNu", testTime().timeName(), testMesh()),
-            testMesh(), dimensionedScalar("nu", dimViscosity, nu)
-        );
+        const volScalarField viscosity(uniformViscosity(testMesh(), nu));
         boundary_->integrate(U, p, viscosity, 1025, ghosts_.images());
         ghosts_.returnForces();
         force = Zero;

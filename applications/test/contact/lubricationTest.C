@@ -58,11 +58,7 @@ struct wetCloud
         work(0)
     {
         const fvMesh& mesh = testMesh();
-        const volScalarField viscosity
-        (
-            IOobject("testNu", testTime().timeName(), mesh),
-            mesh, dimensionedScalar("nu", dimViscosity, nu)
-        );
+        const volScalarField viscosity(uniformViscosity(mesh, nu));
         const volScalarField p
         (
             IOobject("p", testTime().timeName(), mesh),

@@ -70,12 +70,7 @@ vector forceOn(openCloud& cloud, const bool wet)
 {
     if (wet)
     {
-        const volScalarField nu
-        (
-            IOobject("testNu", testTime().timeName(), testMesh()),
-            testMesh(), dimensionedScalar("nu", dimViscosity, 1.171e-6)
-        );
-        cloud.immerse(nu, true);
+        cloud.immerse(uniformViscosity(), true);
     }
     else
     {

@@ -252,11 +252,7 @@ TEST_CASE("boundary: the order of the clumps does not matter", "[boundary]")
             "interiorDilation no;"
         )
     );
-    const volScalarField nu
-    (
-        IOobject("testNu", testTime().timeName(), testMesh()),
-        testMesh(), dimensionedScalar("nu", dimViscosity, 1.171e-6)
-    );
+    const volScalarField nu(uniformViscosity());
 
     List<clumpImage> order({images[0], images[1]});
     boundary.update(order, nu);
@@ -318,11 +314,7 @@ TEST_CASE
             "interiorDilation no;"
         )
     );
-    const volScalarField viscosity
-    (
-        IOobject("testNu", testTime().timeName(), mesh),
-        mesh, dimensionedScalar("nu", dimViscosity, nu)
-    );
+    const volScalarField viscosity(uniformViscosity(mesh, nu));
     List<clumpImage> images(1, image);
     boundary.update(images, viscosity);
 
@@ -392,11 +384,7 @@ TEST_CASE("boundary: a clump of many spheres is as one of few", "[boundary][seri
                 "interiorDilation no;"
             )
         );
-        const volScalarField viscosity
-        (
-            IOobject("testNu", testTime().timeName(), mesh),
-            mesh, dimensionedScalar("nu", dimViscosity, 1.171e-6)
-        );
+        const volScalarField viscosity(uniformViscosity(mesh));
         List<clumpImage> images(1, image);
         boundary.update(images, viscosity);
         boundary.impose(images);

@@ -42,12 +42,7 @@ autoPtr<openCloud> scene
             )
         )
     );
-    const volScalarField nu
-    (
-        IOobject("testNu", testTime().timeName(), testMesh()),
-        testMesh(), dimensionedScalar("nu", dimViscosity, 1.171e-6)
-    );
-    cloud->immerse(nu, true);
+    cloud->immerse(uniformViscosity(), true);
     return cloud;
 }
 

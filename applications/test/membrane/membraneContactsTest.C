@@ -252,7 +252,8 @@ TEST_CASE("membrane contact: the force is the gradient of the potential",
     // Without a film and with one, which acts below the gap 0.2 and is renewed by the step
     const scalar mu = GENERATE(0.0, 0.5);
     INFO(mu);
-    contacts.begin(ghosts, 0.1, 1, Zero, mu);
+    const autoPtr<gapModel> film(selectModel<gapModel>(dictOf("type squeezeFilm;")));
+    contacts.begin(ghosts, 0.1, 1, Zero, mu > 0 ? film.get() : nullptr, mu);
 
     DynamicList<nodeContact> list;
     nodeContact c;

@@ -108,6 +108,8 @@ Foam::membraneContacts::membraneContacts
     stress_(0),
     range_(0),
     dt_(0),
+    film_(nullptr),
+    layer_({0, 0, 0}),
     meshVelocity_(Zero)
 {
     const dictionary entries(dict.subOrEmptyDict("membraneContact"));
@@ -212,25 +214,33 @@ void Foam::membraneContacts::refuseOverlaps
 }
 
 
-Foam::membraneFilm::response Foam::membraneContacts::law
+Foam::contactModel::pressure Foam::membraneContacts::law
 (
     const nodeContact& c,
     const scalar gap
 ) const
 {
-    const auto film = film_.step(gap, c.start, c.film ? c.radius : 0);
+    contactModel::pressure result;
     if (law_.valid())
     {
-        const auto p = law_->surfacePressure(range_ - gap, c.radius);
-        return {p.energy + film.w, p.value + film.p, p.stiffness + film.k};
+        result = law_->surfacePressure(range_ - gap, c.radius);
     }
-    const scalar s = max(1 - gap/range_, scalar(0));
-    return
+    else
     {
-        stress_*range_/3*pow3(s) + film.w,
-        stress_*sqr(s) + film.p,
-        2*stress_/range_*s + film.k
-    };
+        const scalar s = max(1 - gap/range_, scalar(0));
+        result =
+        {
+            stress_*range_/3*pow3(s), stress_*sqr(s), 2*stress_/range_*s
+        };
+    }
+    if (c.film)
+    {
+        const auto film = film_->surfacePressure(gap, c.start, dt_, c.radius, layer_);
+        result.energy += film.energy;
+        result.value += film.value;
+        result.stiffness += film.stiffness;
+    }
+    return result;
 }
 
 
@@ -272,13 +282,14 @@ void Foam::membraneContacts::begin
     const scalar width,
     const scalar dt,
     const vector& meshVelocity,
+    const gapModel* film,
     const scalar mu
 )
 {
     range_ = cells_*width;
-    film_ = mu > 0
-      ? membraneFilm(min(cutOff_*width, filmLimit()), 0.1*width, mu, dt)
-      : membraneFilm();
+    film_ = film;
+    const scalar limit = min(cutOff_*width, filmLimit());
+    layer_ = {mu, film ? limit : 0, min(0.1*width, limit)};
     dt_ = dt;
     meshVelocity_ = meshVelocity;
     const UList<clumpImage>& images = ghosts.images();
@@ -387,7 +398,7 @@ void Foam::membraneContacts::findNodes
             )
         );
         const triFace& t = type.surface().triangles()[p.triangle];
-        if (film_.range() > 0)
+        if (film_)
         {
             const vector w(coordinatesOf(t, to.x, p.at));
             addFilm
@@ -485,7 +496,7 @@ void Foam::membraneContacts::findSpheres
                     type.fixed() ? 1 : 2, contactModel::reduced(halfWidth, r[at])
                 )
             );
-            if (film_.range() > 0)
+            if (film_)
             {
                 addFilm(contacts.last(), nodes, others.moved[at]);
             }
@@ -519,7 +530,7 @@ void Foam::membraneContacts::findWalls
         )
         {
             contacts.append(contactOf(i, away, height, nodes.areas[i], 1, halfWidth));
-            if (film_.range() > 0)
+            if (film_)
             {
                 addFilm(contacts.last(), nodes, vector::zero);
             }
@@ -557,7 +568,7 @@ void Foam::membraneContacts::find
         bodies_.set(a, new body);
         body& b = bodies_[a];
         b.x = imposed(ghosts, a);
-        if (film_.range() > 0)
+        if (film_)
         {
             const clumpType& type = typeOf(images[a]);
             b.moved = scalar(!type.fixed())*dt_*images[a].u;
@@ -636,10 +647,10 @@ void Foam::membraneContacts::addToSpheres
         const nodeContact& c = contacts[k];
         const auto w(law(c, c.gap));
         const label j = nearest[k];
-        const symmTensor K(c.moves*c.area*w.k*sqr(c.normal));
+        const symmTensor K(c.moves*c.area*w.stiffness*sqr(c.normal));
         ext.k[j] += K;
         ext.f[j] +=
-            (K & (dt_*p.step().imposedU[j])) - c.area*w.p*c.normal;
+            (K & (dt_*p.step().imposedU[j])) - c.area*w.value*c.normal;
     }
 }
 
@@ -652,7 +663,7 @@ void Foam::membraneContacts::addForces
 {
     for (const nodeContact& c : contacts)
     {
-        const vector f(c.area*law(c, c.gap).p*c.normal);
+        const vector f(c.area*law(c, c.gap).value*c.normal);
         for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
         {
             F[c.nodes[n]] += c.weights[n]*f;
@@ -678,17 +689,17 @@ Foam::scalar Foam::membraneContacts::add
             opened += c.weights[n]*(c.normal & d[c.nodes[n]]);
         }
         const auto w(law(c, c.gap + c.moves*opened));
-        potential += c.area/c.moves*w.w;
+        potential += c.area/c.moves*w.energy;
 
         const Eigen::Vector3d normal(c.normal.x(), c.normal.y(), c.normal.z());
         const Eigen::Matrix3d K
         (
-            c.moves*c.area*w.k*normal*normal.transpose()
+            c.moves*c.area*w.stiffness*normal*normal.transpose()
         );
         for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
         {
             const label i = c.nodes[n];
-            gradient[i] -= c.weights[n]*c.area*w.p*c.normal;
+            gradient[i] -= c.weights[n]*c.area*w.value*c.normal;
             for (label m = 0; tangent && m < 3 && c.nodes[m] >= 0; ++m)
             {
                 if (i >= c.nodes[m])

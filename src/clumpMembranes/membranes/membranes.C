@@ -154,6 +154,7 @@ void Foam::membranes::beginContacts
     const Cloud<clumpParcel>& clumps,
     const ghostExchange& ghosts,
     const vector& meshVelocity,
+    const gapModel* film,
     const scalar mu
 )
 {
@@ -163,6 +164,7 @@ void Foam::membranes::beginContacts
         surfaceSpacing::narrowest(clumps, types_),
         mesh_.time().deltaTValue(),
         meshVelocity,
+        film,
         mu
     );
 }

@@ -54,7 +54,8 @@ void Foam::deformableCloud::immerse
         {
             kind.beginContacts
             (
-                *this, ghosts_, meshVelocity_, films ? coupling_->viscosity() : 0
+                *this, ghosts_, meshVelocity_,
+                films ? motion().gaps().model() : nullptr, coupling_->viscosity()
             );
         }
         else

@@ -16,6 +16,32 @@ namespace gapModels
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+//- c, its integral C and the integral of C over the gap, each over 3 mu R, of the pressure
+struct integrals
+{
+    scalar c, C, sum;
+
+    integrals(const scalar gap, const gapModel::layer& between)
+    {
+        const scalar limit = between.limit;
+        const scalar g = min(max(gap, min(between.roughness, limit)), limit);
+        const scalar beyond = gap - g;
+        c = gap < limit ? 1/sqr(g) - 1/sqr(limit) : 0;
+        const scalar atG = -1/g - g/sqr(limit);
+        C = atG + c*beyond;
+        sum =
+            -Foam::log(g/limit) - 0.5*sqr(g/limit) + (atG + 0.5*c*beyond)*beyond;
+    }
+};
+
+}
+
+
 Foam::gapModels::squeezeFilm::squeezeFilm(const dictionary& dict)
 :
     roughness_(dict.found("roughness") ? getPositive(dict, "roughness") : 0)
@@ -123,4 +149,27 @@ Foam::contactModel::increment Foam::gapModels::squeezeFilm::step
     addPiece(gap);
 
     return {W/dt, -C/dt, resistance(gap, R, between)/dt};
+}
+
+
+Foam::contactModel::pressure Foam::gapModels::squeezeFilm::surfacePressure
+(
+    const scalar gap,
+    const scalar start,
+    const scalar dt,
+    const scalar R,
+    const layer& between
+) const
+{
+    if (min(gap, start) >= between.limit)
+    {
+        return {0, 0, 0};
+    }
+    const integrals from(start, between);
+    const integrals to(gap, between);
+    const scalar K = 3*between.viscosity*R/dt;
+    return
+    {
+        K*(to.sum - from.sum - from.C*(gap - start)), -K*(to.C - from.C), K*to.c
+    };
 }

@@ -55,7 +55,8 @@ def codeFor(header):
     result = [Code(folder)]
     if folder.parent.name.endswith("s") and folder.parent.name != "src":
         result += [
-            Code(f) for f in sorted(folder.parent.iterdir()) if f.is_dir() and f != folder
+            Code(f) for f in sorted(folder.parent.iterdir()) if f.is_dir()
+            and f not in (folder, folder.parent/"lnInclude")
             and any("declareRunTimeSelectionTable" in p.read_text() for p in f.glob("*.H"))
         ]
     return result

@@ -229,25 +229,95 @@ TEST_CASE("squeeze film: dissipates, and knows no length of a step", "[gap][seri
 }
 
 
+namespace
+{
+
+//- Two types of beads
+PtrList<clumpType> beads()
+{
+    PtrList<clumpType> types;
+    for (const word name : {"a", "b"})
+    {
+        types.append
+        (
+            new clumpType
+            (
+                name,
+                dictOf("density 1; shape { type chain; nSpheres 1; sphereRadius 1e-6; }")
+            )
+        );
+    }
+    return types;
+}
+
+}
+
+
 TEST_CASE("gap forces: only what is on acts", "[gap][serial]")
 {
-    gapForces forces(dictOf("lubrication { type squeezeFilm; roughness 1e-8; }"));
+    const PtrList<clumpType> types(beads());
+    const polyBoundaryMesh& patches = testMesh().boundaryMesh();
+    gapForces forces
+    (
+        dictOf("lubrication { type squeezeFilm; roughness 1e-8; }"), types, patches
+    );
     forces.setViscosity(1e-3);
     const auto force = [&]()
     {
-        return forces.step(1e-7, 2e-7, 1e-4, R, 0.5e-6, true).force;
+        return forces.step(1e-7, 2e-7, 1e-4, R, 0.5e-6, true, 0, 0).force;
     };
     CHECK(!forces.active());
     CHECK(force() == 0);
     CHECK(forces.range(0.5e-6, true) == 0);
 
-    forces.setActive(true);
+    forces.setFilm(true);
     CHECK(forces.active());
     CHECK(force() > 0);
     CHECK(forces.range(0.5e-6, true) == Approx(0.65e-6));
 
-    gapForces none((dictionary()));
-    CHECK(!none.model());
-    none.setActive(true);
+    gapForces none(dictionary(), types, patches);
+    CHECK(!none.film());
+    none.setFilm(true);
     CHECK(!none.active());
+}
+
+
+TEST_CASE("gap forces: laws act between the types and at the walls that they name",
+    "[gap][serial]")
+{
+    const PtrList<clumpType> types(beads());
+    const polyBoundaryMesh& patches = testMesh().boundaryMesh();
+    const label walls = patches.findPatchID("walls"), inlet = patches.findPatchID("inlet");
+    const gapForces forces
+    (
+        dictOf
+        (
+            "surfaceForces"
+            "{"
+            "    all    { type depletion; energy 1e-6; }"
+            "    mixed  { type depletion; energy 2e-6; types (a b); }"
+            "    onWall { type depletion; energy 4e-6; types (b); patches (\"w.*\"); }"
+            "}"
+        ),
+        types, patches
+    );
+    CHECK(forces.active());
+    CHECK(forces.hasLaws());
+    CHECK(forces.lawRange(2e-6) == Approx(1e-6));
+
+    // In units of 2 pi R and 1e-6 J/m2, where surfaces touch
+    const auto force = [&](const label first, const label second, const bool atWall)
+    {
+        const auto w(forces.step(0, 0, 1, 1e-6, 2e-6, atWall, first, second));
+        const auto p(forces.surfacePressure(0, 0, 1, 1e-6, 2e-6, atWall, first, second));
+        CHECK(w.force == Approx(2*constant::mathematical::pi*1e-6*p.energy).margin(1e-20));
+        return -p.energy/1e-6;
+    };
+    CHECK(force(0, 0, false) == Approx(1));
+    CHECK(force(1, 1, false) == Approx(1));
+    CHECK(force(0, 1, false) == Approx(3));
+    CHECK(force(1, 0, false) == Approx(3));
+    CHECK(force(0, walls, true) == 0);
+    CHECK(force(1, walls, true) == Approx(4));
+    CHECK(force(1, inlet, true) == 0);
 }

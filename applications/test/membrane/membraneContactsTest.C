@@ -5,9 +5,11 @@
 
 #include "testCatch.H"
 #include "testCloud.H"
+#include "mathematicalConstants.H"
 #include "membraneContacts.H"
 
 using namespace Foam;
+using constant::mathematical::pi;
 
 namespace
 {
@@ -139,6 +141,81 @@ TEST_CASE("membrane contact: a film resists what comes and what goes",
 }
 
 
+TEST_CASE("membrane contact: an attraction is the integral of its pressure",
+    "[membrane][parallel]")
+{
+    // Of a capsule of 642 nodes with a bead, 0.2 um beyond the range of contact, along x
+    // and obliquely. The law is that of depletion with w0 = 1e-6 J/m2 and r = 1 um
+    const vector e(normalised(GENERATE(vector(1, 0, 0), vector(0.6, 0.7, 0.2))));
+    const string other = GENERATE(string("bead"), string("fine"));
+    INFO(e.x() << ' ' << e.y() << ' ' << e.z() << ' ' << other);
+    const scalar radius = other == "bead" ? 2 : 3, D = 3 + radius + 0.5 + 0.2;
+    const string fine =
+        "fine { shape { type icosphere; radius 3e-6; subdivisions 3; } density 1000;"
+        " membrane { a { type neoHookean; shearModulus 1e-6; } } }";
+    const point at(1e-6*(vector(7, 10, 10) + D*e));
+    const string places =
+        "{ type fine; position (7e-6 10e-6 10e-6); } { type " + other + "; position ("
+      + Foam::name(at.x()) + ' ' + Foam::name(at.y()) + ' ' + Foam::name(at.z()) + "); }";
+    const string law = " { type depletion; energy 1e-6; range 1; ";
+    auto cloud = scene(places, "surfaceForces { a" + law + "} }", fine);
+    const Pair<vector> first(wrench(*cloud, 0));
+    const Pair<vector> second(wrench(*cloud, 1));
+    CHECK(mag(first.first() + second.first())/mag(first.first()) < 1e-10);
+    CHECK(mag(first.second() + second.second())/mag(first.second()) < 1e-9);
+
+    // p = 6 w0/r x (1 - x) with x = (gap - 0.5 um)/r, over the sphere of 3 um
+    scalar expected = 0;
+    const label n = 20000;
+    for (label k = 0; k < n; ++k)
+    {
+        const scalar c = 1 - 2*(k + 0.5)/n;
+        const scalar along = D - 3*c;
+        const scalar distance = Foam::sqrt(sqr(along) + 9*(1 - sqr(c)));
+        const scalar x = distance - radius - 0.5;
+        if (x < 1)
+        {
+            expected += 6e-6/1e-6*x*(1 - x)*along/distance*4*pi*9e-12/n;
+        }
+    }
+    CHECK((first.first() & e) == Approx(expected).epsilon(0.05));
+    CHECK(mag(first.first() - (first.first() & e)*e) < 0.05*expected);
+
+    // The law does not act between other types, and at walls only where it names them
+    cloud.clear();
+    cloud = scene
+    (
+        places,
+        "surfaceForces { a" + law + "types (capsule bead); } b" + law
+      + "patches (walls); } }",
+        fine
+    );
+    CHECK(mag(wrench(*cloud, 0).first()) < 1e-25);
+    CHECK(mag(wrench(*cloud, 1).first()) < 1e-25);
+}
+
+
+TEST_CASE("membrane contact: attraction at a wall", "[membrane][parallel]")
+{
+    const string patches = GENERATE(string("patches (walls);"), string());
+    auto cloud = scene
+    (
+        "{ type capsule; position (10e-6 3.7e-6 10e-6); }",
+        "surfaceForces { a { type depletion; energy 1e-6; range 1; " + patches + " } }"
+    );
+    const vector f(wrench(*cloud, 0).first());
+    if (patches.empty())
+    {
+        CHECK(mag(f) < 1e-25);
+    }
+    else
+    {
+        CHECK(f.y() < -1e-12);
+        CHECK(mag(f.y()) > 10*mag(vector(f.x(), 0, f.z())));
+    }
+}
+
+
 TEST_CASE("membrane contact: across periodic patches as elsewhere", "[membrane][parallel]")
 {
     auto inside = scene
@@ -252,8 +329,19 @@ TEST_CASE("membrane contact: the force is the gradient of the potential",
     // Without a film and with one, which acts below the gap 0.2 and is renewed by the step
     const scalar mu = GENERATE(0.0, 0.5);
     INFO(mu);
-    const autoPtr<gapModel> film(selectModel<gapModel>(dictOf("type squeezeFilm;")));
-    contacts.begin(ghosts, 0.1, 1, Zero, mu > 0 ? film.get() : nullptr, mu);
+
+    // The same of an attraction beyond the range of contact, 0.1
+    const string attraction = GENERATE
+    (
+        string(), string("surfaceForces { a { type depletion; energy 0.1; range 2; } }")
+    );
+    INFO(attraction);
+    const gapForces gaps
+    (
+        dictOf("lubrication { type squeezeFilm; } " + attraction), types,
+        testMesh().boundaryMesh()
+    );
+    contacts.begin(ghosts, 0.1, 1, Zero, gaps, mu > 0, mu);
 
     DynamicList<nodeContact> list;
     nodeContact c;
@@ -265,7 +353,10 @@ TEST_CASE("membrane contact: the force is the gradient of the potential",
     c.gap = 0.03;
     c.start = 0.15;
     c.radius = 0.4;
-    c.film = true;
+    c.faces = true;
+    c.atWall = false;
+    c.first = 0;
+    c.second = 0;
     c.area = 0.2;
     c.moves = 1;
     list.append(c);

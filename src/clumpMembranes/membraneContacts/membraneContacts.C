@@ -70,7 +70,10 @@ nodeContact contactOf
     c.gap = gap;
     c.start = gap;
     c.radius = radius;
-    c.film = false;
+    c.faces = false;
+    c.atWall = false;
+    c.first = -1;
+    c.second = -1;
     c.area = area;
     c.moves = moves;
     return c;
@@ -110,6 +113,9 @@ Foam::membraneContacts::membraneContacts
     dt_(0),
     film_(nullptr),
     layer_({0, 0, 0}),
+    gaps_(nullptr),
+    beyond_(0),
+    width_(0),
     meshVelocity_(Zero)
 {
     const dictionary entries(dict.subOrEmptyDict("membraneContact"));
@@ -233,12 +239,27 @@ Foam::contactModel::pressure Foam::membraneContacts::law
             stress_*range_/3*pow3(s), stress_*sqr(s), 2*stress_/range_*s
         };
     }
-    if (c.film)
+    const auto addPressure = [&](const contactModel::pressure& p)
     {
-        const auto film = film_->surfacePressure(gap, c.start, dt_, c.radius, layer_);
-        result.energy += film.energy;
-        result.value += film.value;
-        result.stiffness += film.stiffness;
+        result.energy += p.energy;
+        result.value += p.value;
+        result.stiffness += p.stiffness;
+    };
+    if (c.faces && film_)
+    {
+        addPressure(film_->surfacePressure(gap, c.start, dt_, c.radius, layer_));
+    }
+    if (c.faces && c.first >= 0 && gaps_)
+    {
+        // Beyond the range of contact
+        addPressure
+        (
+            gaps_->surfacePressure
+            (
+                gap - range_, c.start - range_, dt_, c.radius, width_,
+                c.atWall, c.first, c.second
+            )
+        );
     }
     return result;
 }
@@ -257,7 +278,7 @@ void Foam::membraneContacts::addFilm
         // Where the nearest point jumps along an edge, the gap was not one before
         const scalar opened = c.normal & (nodes.moved[i] - moved);
         c.start = max(c.gap - opened, min(c.gap, scalar(0)));
-        c.film = true;
+        c.faces = true;
     }
 }
 
@@ -282,14 +303,18 @@ void Foam::membraneContacts::begin
     const scalar width,
     const scalar dt,
     const vector& meshVelocity,
-    const gapModel* film,
+    const gapForces& gaps,
+    const bool films,
     const scalar mu
 )
 {
+    width_ = width;
     range_ = cells_*width;
-    film_ = film;
+    film_ = films ? gaps.film() : nullptr;
+    gaps_ = gaps.hasLaws() ? &gaps : nullptr;
+    beyond_ = gaps.lawRange(width);
     const scalar limit = min(cutOff_*width, filmLimit());
-    layer_ = {mu, film ? limit : 0, min(0.1*width, limit)};
+    layer_ = {mu, film_ ? limit : 0, min(0.1*width, limit)};
     dt_ = dt;
     meshVelocity_ = meshVelocity;
     const UList<clumpImage>& images = ghosts.images();
@@ -398,8 +423,10 @@ void Foam::membraneContacts::findNodes
             )
         );
         const triFace& t = type.surface().triangles()[p.triangle];
-        if (film_)
+        if (acrossGaps())
         {
+            c.first = ghosts.images()[nodes].typeId;
+            c.second = ghosts.images()[triangles].typeId;
             const vector w(coordinatesOf(t, to.x, p.at));
             addFilm
             (
@@ -496,8 +523,10 @@ void Foam::membraneContacts::findSpheres
                     type.fixed() ? 1 : 2, contactModel::reduced(halfWidth, r[at])
                 )
             );
-            if (film_)
+            if (acrossGaps())
             {
+                contacts.last().first = ghosts.images()[membrane].typeId;
+                contacts.last().second = ghosts.images()[spheres].typeId;
                 addFilm(contacts.last(), nodes, others.moved[at]);
             }
             nearest.append(at);
@@ -509,11 +538,12 @@ void Foam::membraneContacts::findSpheres
 void Foam::membraneContacts::findWalls
 (
     const label a,
-    const scalar halfWidth,
+    const label type,
     const wallSurface& walls,
     DynamicList<nodeContact>& contacts
 ) const
 {
+    const scalar halfWidth = types_[type].halfWidth();
     const body& nodes = bodies_[a];
     if (walls.empty() || walls.near(grown(nodes.box, reach())).empty())
     {
@@ -521,17 +551,22 @@ void Foam::membraneContacts::findWalls
     }
     forAll(nodes.x, i)
     {
-        scalar height;
-        vector away;
+        wallSurface::nearPlace wall;
         if
         (
-            walls.nearest(nodes.x[i], max(4*range_, reach()), height, away)
-         && height < reach()
+            walls.nearest(nodes.x[i], max(4*range_, reach()), wall)
+         && wall.height < reach()
         )
         {
-            contacts.append(contactOf(i, away, height, nodes.areas[i], 1, halfWidth));
-            if (film_)
+            contacts.append
+            (
+                contactOf(i, wall.away, wall.height, nodes.areas[i], 1, halfWidth)
+            );
+            if (acrossGaps())
             {
+                contacts.last().first = type;
+                contacts.last().second = wall.patch;
+                contacts.last().atWall = true;
                 addFilm(contacts.last(), nodes, vector::zero);
             }
         }
@@ -568,7 +603,7 @@ void Foam::membraneContacts::find
         bodies_.set(a, new body);
         body& b = bodies_[a];
         b.x = imposed(ghosts, a);
-        if (film_)
+        if (acrossGaps())
         {
             const clumpType& type = typeOf(images[a]);
             b.moved = scalar(!type.fixed())*dt_*images[a].u;
@@ -585,7 +620,7 @@ void Foam::membraneContacts::find
             {
                 findWalls
                 (
-                    a, typeOf(images[a]).halfWidth(), *walls,
+                    a, images[a].typeId, *walls,
                     nodesOf(own[a]).contacts
                 );
             }

@@ -154,7 +154,8 @@ void Foam::membranes::beginContacts
     const Cloud<clumpParcel>& clumps,
     const ghostExchange& ghosts,
     const vector& meshVelocity,
-    const gapModel* film,
+    const gapForces& gaps,
+    const bool films,
     const scalar mu
 )
 {
@@ -164,7 +165,8 @@ void Foam::membranes::beginContacts
         surfaceSpacing::narrowest(clumps, types_),
         mesh_.time().deltaTValue(),
         meshVelocity,
-        film,
+        gaps,
+        films,
         mu
     );
 }

@@ -294,12 +294,11 @@ Foam::string Foam::watchdog::throughWalls()
         )
         {
             const scalar r = type.radii()[i];
-            scalar height = 0;
-            vector away;
+            wallSurface::nearPlace wall;
             if
             (
-                cloud_.motion().walls().surface().nearest(x[i], 4*r, height, away)
-             && height < -r
+                cloud_.motion().walls().surface().nearest(x[i], 4*r, wall)
+             && wall.height < -r
             )
             {
                 behind = i;

@@ -20,7 +20,7 @@ Foam::clumpMotion::clumpMotion
     loads_(clumps.mesh(), clumps.types()),
     contacts_(clumps.types(), clumps.properties()),
     walls_(clumps.mesh(), clumps.types(), clumps.properties()),
-    gaps_(clumps.properties()),
+    gaps_(clumps.properties(), clumps.types(), clumps.mesh().boundaryMesh()),
     contacting_
     (
         clumps.mesh(), clumps.types(), clumps.bonds(), contacts_, walls_, gaps_

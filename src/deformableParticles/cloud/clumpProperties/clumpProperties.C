@@ -118,14 +118,13 @@ Foam::dictionary Foam::completeClumpProperties
     if (result.found("aggregation"))
     {
         FatalIOErrorInFunction(result)
-            << "Entry 'aggregation': there is no model of the attraction between"
-            << " clumps any more. Remove the entry; 'lubrication' is the only one"
-            << " that acts across gaps." << exit(FatalIOError);
+            << "Entry 'aggregation' has become a dictionary of 'surfaceForces', with a"
+            << " name of your own and 'type depletion;'" << exit(FatalIOError);
     }
     wordList entries
     ({
         "types", "placement", "injection", "integrator", "contactModel",
-        "wallContactModel", "lubrication", "loads", "effects", "rotation",
+        "wallContactModel", "lubrication", "surfaceForces", "loads", "effects", "rotation",
         "couplingScheme", "immersedBoundary", "openPatches", "typesMayChange",
         "accuracyLevel", "rho"
     });

@@ -38,10 +38,10 @@ void Foam::deformableCloud::immerse
         extrapolatePositions();
     }
     const bool films = motion().decisions().mayLubricate();
-    scalar range = 0;
+    scalar range = kinds_.empty() ? 0 : motion().decisions().gapRange();
     for (const clumpKind& kind : kinds_)
     {
-        range = films ? max(range, kind.range()) : 0;
+        range = max(range, films ? kind.range() : 0);
     }
     ghosts_.setRange(range);
     updateGhosts();
@@ -55,7 +55,7 @@ void Foam::deformableCloud::immerse
             kind.beginContacts
             (
                 *this, ghosts_, meshVelocity_,
-                films ? motion().gaps().model() : nullptr, coupling_->viscosity()
+                motion().gaps(), films, coupling_->viscosity()
             );
         }
         else

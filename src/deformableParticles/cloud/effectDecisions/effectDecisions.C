@@ -37,7 +37,7 @@ void Foam::effectDecisions::refuseIdle(const bool implicit) const
     );
     const string reason(lubricationIdle());
     effects_.require("lubrication", reason.empty(), reason);
-    if (const gapModel* model = gaps_.model())
+    if (const gapModel* model = gaps_.film())
     {
         const string idle
         (
@@ -69,6 +69,19 @@ void Foam::effectDecisions::refuseIdle(const bool implicit) const
             << "Entry 'lubrication' needs an implicit integrator: the resistance"
             << " of a narrow gap would limit the step of an explicit one. Valid"
             << " here: implicitEuler" << exit(FatalIOError);
+    }
+    if (gaps_.hasLaws() && !(implicit && clumpsMayTouch() && wallsMayTouch()))
+    {
+        FatalIOErrorInFunction(getDict(dict, "surfaceForces"))
+            << "Entry 'surfaceForces' needs " << nl
+            << (
+                implicit
+              ? "    contact between clumps and with walls, which keeps apart what"
+                " attracts each other: contactModel and wallContactModel other than"
+                " none, and the effects contact and walls."
+              : "    an implicit integrator. Valid here: implicitEuler"
+               )
+            << exit(FatalIOError);
     }
 }
 
@@ -183,7 +196,7 @@ void Foam::effectDecisions::renewWalls()
 Foam::string Foam::effectDecisions::lubricationIdle() const
 {
     return
-        !gaps_.model()
+        !gaps_.film()
       ? "there is no entry lubrication"
       : !effects_.active("feedback")
       ? "the flow does not feel the clumps"
@@ -201,7 +214,8 @@ bool Foam::effectDecisions::mayLubricate() const
 
 Foam::scalar Foam::effectDecisions::gapRange() const
 {
-    if (!mayLubricate())
+    const bool films = mayLubricate();
+    if (!films && !gaps_.hasLaws())
     {
         return 0;
     }
@@ -210,7 +224,11 @@ Foam::scalar Foam::effectDecisions::gapRange() const
     {
         width = max(width, Foam::cbrt(clumps_.mesh().V()[p.cell()]));
     }
-    return gaps_.model()->range(returnReduce(width, maxOp<scalar>()), true);
+    reduce(width, maxOp<scalar>());
+    return max
+    (
+        films ? gaps_.film()->range(width, true) : 0, gaps_.lawRange(width)
+    );
 }
 
 
@@ -231,7 +249,7 @@ void Foam::effectDecisions::decideLubrication()
       : near ? string("surfaces are present")
       : string("nothing is near")
     );
-    gaps_.setActive(effects_.active("lubrication"));
+    gaps_.setFilm(effects_.active("lubrication"));
 }
 
 

@@ -166,21 +166,20 @@ Foam::openPatches::place Foam::openPatches::nearest
         forAll(x, i)
         {
             const scalar r = type.radii()[i];
-            scalar d;
-            vector away, inwards;
-            if (!surfaces_[k].nearest(x[i], limit + r, d, away, inwards))
+            wallSurface::nearPlace nearby;
+            if (!surfaces_[k].nearest(x[i], limit + r, nearby))
             {
                 continue;
             }
 
             // Behind the patch only where it is opposite
-            const scalar cosTheta = away & inwards;
-            const scalar gapHere = gap(d, cosTheta, r);
-            if (gapHere < result.gap && (d >= 0 || cosTheta > 0.999))
+            const scalar cosTheta = nearby.away & nearby.inwards;
+            const scalar gapHere = gap(nearby.height, cosTheta, r);
+            if (gapHere < result.gap && (nearby.height >= 0 || cosTheta > 0.999))
             {
                 result.gap = gapHere;
                 result.patchi = patches_[k];
-                result.inwards = inwards;
+                result.inwards = nearby.inwards;
             }
         }
     }

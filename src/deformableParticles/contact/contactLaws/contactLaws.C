@@ -38,6 +38,40 @@ Foam::labelList Foam::contactLaws::typesOf
 }
 
 
+Foam::labelList Foam::contactLaws::wallsOf
+(
+    const dictionary& dict,
+    const polyBoundaryMesh& patches
+)
+{
+    const wordRes given
+    (
+        dict.getOrDefault<wordRes>("patches", wordRes({wordRe(".*", wordRe::REGEX)}))
+    );
+    wordList walls;
+    DynamicList<label> result;
+    for (const polyPatch& patch : patches)
+    {
+        if (isA<wallPolyPatch>(patch))
+        {
+            walls.append(patch.name());
+            if (given.match(patch.name()))
+            {
+                result.append(patch.index());
+            }
+        }
+    }
+    if (result.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'patches' is " << flatOutput(given)
+            << ", which is no wall. Valid here: " << flatOutput(walls)
+            << exit(FatalIOError);
+    }
+    return labelList(result);
+}
+
+
 Foam::dictionary Foam::contactLaws::merged
 (
     const dictionary& dict,
@@ -159,35 +193,13 @@ Foam::contactLaws::contactLaws
           ? typesOf(pair, getEntry<wordList>(pair, "types"), types)
           : identity(types.size())
         );
-        const wordRes given
-        (
-            pair.getOrDefault<wordRes>("patches", wordRes({wordRe(".*", wordRe::REGEX)}))
-        );
         laws_.append(selectModel<contactModel>(merged(dict, pair)));
-        wordList walls;
-        bool some = false;
-        forAll(patches, patchi)
+        for (const label patchi : wallsOf(pair, patches))
         {
-            if (!isA<wallPolyPatch>(patches[patchi]))
+            for (const label i : chosen)
             {
-                continue;
+                give(pair, i, patchi);
             }
-            walls.append(patches[patchi].name());
-            if (given.match(patches[patchi].name()))
-            {
-                some = true;
-                for (const label i : chosen)
-                {
-                    give(pair, i, patchi);
-                }
-            }
-        }
-        if (!some)
-        {
-            FatalIOErrorInFunction(pair)
-                << "Entry 'patches' is " << flatOutput(given)
-                << ", which is no wall. Valid here: " << flatOutput(walls)
-                << exit(FatalIOError);
         }
     }
 }

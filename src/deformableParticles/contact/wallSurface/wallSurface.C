@@ -288,9 +288,7 @@ bool Foam::wallSurface::nearest
 (
     const point& x,
     const scalar limit,
-    scalar& height,
-    vector& away,
-    vector& inwards
+    nearPlace& place
 ) const
 {
     if (empty())
@@ -302,6 +300,7 @@ bool Foam::wallSurface::nearest
     {
         return false;
     }
+    place.patch = patch(hit.index());
     const vector d(x - hit.rawPoint());
     const scalar distance = mag(d);
 
@@ -309,7 +308,7 @@ bool Foam::wallSurface::nearest
     // which side of the wall this is
     const scalar small = 1e-6*limit;
     scalar side = 0;
-    inwards = Zero;
+    place.inwards = Zero;
     const labelList near
     (
         search_->tree().findBox
@@ -336,13 +335,13 @@ bool Foam::wallSurface::nearest
             if (mag(h) >= mag(side)*(1 - SMALL))
             {
                 side = h;
-                inwards = n;
+                place.inwards = n;
             }
         }
     }
-    height = side < 0 ? -distance : distance;
-    away =
-        distance > 1e-3*small ? d*sign(height)/distance
-      : inwards;
+    place.height = side < 0 ? -distance : distance;
+    place.away =
+        distance > 1e-3*small ? d*sign(place.height)/distance
+      : place.inwards;
     return true;
 }

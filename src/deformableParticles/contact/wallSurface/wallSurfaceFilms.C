@@ -297,7 +297,9 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
             result.append
             (
                 {
-                    {away, limit - first->distance, weight, 0},
+                    {
+                        away, limit - first->distance, weight, patch(first->triangle)
+                    },
                     curvature(first->triangle, first->nearest, 0.5*radius)
                 }
             );

@@ -67,14 +67,9 @@ struct device
         const label celli = mesh->findCell(position);
         if (celli >= 0 && Pstream::master())
         {
-            clumpState state(types[typeId]);
-            state.setRigidMotion(types[typeId], vector(0.1, 0, 0), Zero);
-            clumps->addParticle
-            (
-                new clumpParcel(*mesh, position, celli, typeId, state)
-            );
-            clumps->last()->origProc() = 0;
-            clumps->last()->origId() = number;
+            newClump c(types[typeId], typeId, position);
+            c.setVelocity(types[typeId], vector(0.1, 0, 0));
+            c.enter(*clumps, celli, number);
         }
     }
 
@@ -89,14 +84,10 @@ struct device
             {
                 if (owner == Pstream::myProcNo())
                 {
-                    auto* p = new clumpParcel
+                    c.enter
                     (
-                        *mesh, c.position, mesh->findCell(c.position),
-                        c.typeId, c.state
+                        *clumps, mesh->findCell(c.position), source->nInjected()
                     );
-                    p->origProc() = 0;
-                    p->origId() = source->nInjected();
-                    clumps->addParticle(p);
                 }
                 return source->nInjected();
             }

@@ -174,11 +174,7 @@ TEST_CASE("placement of membranes: candidates are judged by their surfaces",
     const PtrList<clumpType>& types = cloud->types();
     const auto candidate = [&](const label type, const point& x)
     {
-        clumpCandidate c;
-        c.typeId = type;
-        c.position = x;
-        c.state = clumpState(types[type]);
-        return c;
+        return clumpCandidate(newClump(types[type], type, x));
     };
     const auto overlapping = [&]
     (

@@ -350,6 +350,23 @@ void Foam::membranes::sample
 }
 
 
+void Foam::membranes::sampleFlow(const volVectorField& U, ghostExchange& ghosts) const
+{
+    surfaces_->sampleNew(U, ghosts);
+    for (label i = 0; i < ghosts.nOwn(); ++i)
+    {
+        clumpImage& image = ghosts.images()[i];
+        const clumpType& type = types_[image.typeId];
+        if (type.hasTriangles())
+        {
+            nodeFlow nodes;
+            nodes.areaVectors = type.surface().areaVectors(image.x);
+            image.sampled = nodes.withoutFlux(image.sampled);
+        }
+    }
+}
+
+
 void Foam::membranes::sharpen
 (
     const volVectorField& U,

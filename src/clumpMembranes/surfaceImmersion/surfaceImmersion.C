@@ -111,14 +111,14 @@ void Foam::surfaceImmersion::find
 }
 
 
-void Foam::surfaceImmersion::update(ghostExchange& ghosts)
+void Foam::surfaceImmersion::find(ghostExchange& ghosts, stencils& found) const
 {
     UList<clumpImage>& images = ghosts.images();
-    stencils_.setSize(images.size());
+    found.setSize(images.size());
     forAll(images, a)
     {
         clumpImage& image = images[a];
-        stencils_[a].clear();
+        found[a].clear();
         const bool surface = types_[image.typeId].hasTriangles();
         image.moments.reset(surface ? image.x.size() : 0);
         if (!surface)
@@ -127,8 +127,8 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
             image.force.clear();
             continue;
         }
-        find(image, stencils_[a]);
-        for (const stencilCell& m : stencils_[a])
+        find(image, found[a]);
+        for (const stencilCell& m : found[a])
         {
             image.moments.m0[m.node] += m.weight;
             image.moments.m1[m.node] += m.weight*m.r;
@@ -146,15 +146,21 @@ void Foam::surfaceImmersion::update(ghostExchange& ghosts)
     forAll(images, a)
     {
         const nodeWeights& w = images[a].weights;
-        for (stencilCell& m : stencils_[a])
+        for (stencilCell& m : found[a])
         {
             m.weight *= w.a[m.node] + (w.b[m.node] & m.r);
         }
     }
+}
+
+
+void Foam::surfaceImmersion::update(ghostExchange& ghosts)
+{
+    find(ghosts, stencils_);
     fluids_.set(ghosts);
     if (interior_.valid())
     {
-        interior_->set(images, stencils_);
+        interior_->set(ghosts.images(), stencils_);
     }
 }
 
@@ -191,20 +197,43 @@ Foam::scalarField Foam::surfaceImmersion::variances
 void Foam::surfaceImmersion::sample
 (
     const volVectorField& U,
+    const stencils& of,
     ghostExchange& ghosts
-) const
+)
 {
-    forAll(stencils_, a)
+    forAll(of, a)
     {
         clumpImage& image = ghosts.images()[a];
         image.sampled.setSize(image.weights.a.size());
         image.sampled = Zero;
-        for (const stencilCell& m : stencils_[a])
+        for (const stencilCell& m : of[a])
         {
             image.sampled[m.node] += m.weight*U[m.celli];
         }
     }
     ghosts.returnSamples();
+}
+
+
+void Foam::surfaceImmersion::sample
+(
+    const volVectorField& U,
+    ghostExchange& ghosts
+) const
+{
+    sample(U, stencils_, ghosts);
+}
+
+
+void Foam::surfaceImmersion::sampleNew
+(
+    const volVectorField& U,
+    ghostExchange& ghosts
+) const
+{
+    stencils found;
+    find(ghosts, found);
+    sample(U, found, ghosts);
 }
 
 

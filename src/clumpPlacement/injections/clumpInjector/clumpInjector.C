@@ -8,7 +8,6 @@
 #include "placement.H"
 #include "surfaceCrossing.H"
 #include "treeDataCell.H"
-#include "volFields.H"
 
 namespace Foam
 {
@@ -152,27 +151,19 @@ Foam::label Foam::clumpInjector::add
     Cloud<clumpParcel>& clumps,
     const clumpCandidate& c,
     const label owner,
-    clumpCount& count
+    clumpCount& count,
+    labelHashSet& followFlow
 )
 {
     if (owner == Pstream::myProcNo())
     {
-        clumpState state(c.state);
-        const label celli = site_.mesh.findCell(c.position);
+        const clumpParcel& p =
+            c.enter(clumps, site_.mesh.findCell(c.position), nextNumber_);
+        count.enter(p, c.patchi);
         if (c.followsFlow)
         {
-            const auto* U = site_.mesh.findObject<volVectorField>("U");
-            state.setRigidMotion
-            (
-                site_.types[c.typeId], U ? (*U)[celli] : vector::zero, Zero
-            );
+            followFlow.insert(nextNumber_);
         }
-        auto* p = new clumpParcel(site_.mesh, c.position, celli, c.typeId, state);
-        p->origProc() = 0;
-        p->origId() = nextNumber_;
-        p->couplingFactor() = c.couplingFactor;
-        clumps.addParticle(p);
-        count.enter(*p, c.patchi);
     }
     return nextNumber_++;
 }
@@ -181,7 +172,8 @@ Foam::label Foam::clumpInjector::add
 Foam::label Foam::clumpInjector::inject
 (
     Cloud<clumpParcel>& clumps,
-    clumpCount& count
+    clumpCount& count,
+    labelHashSet& followFlow
 )
 {
     if (!injects())
@@ -197,7 +189,7 @@ Foam::label Foam::clumpInjector::inject
             clumps,
             [&](const clumpCandidate& c, const label owner)
             {
-                return add(clumps, c, owner, count);
+                return add(clumps, c, owner, count, followFlow);
             }
         );
         if (by.nWaiting() != waited_[i])

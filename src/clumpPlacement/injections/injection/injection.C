@@ -73,12 +73,12 @@ Foam::clumpCandidate Foam::injection::candidate
     const quaternion& turn
 ) const
 {
-    clumpCandidate c;
-    c.typeId = typeId;
-    c.position = position;
-    c.state = clumpState(site_.types[typeId], turn);
-    c.state.setRigidMotion(site_.types[typeId], velocity_, Zero);
-    c.followsFlow = !dict_.found("velocity");
+    const clumpType& type = site_.types[typeId];
+    clumpCandidate c(newClump(type, typeId, position, turn));
+    if (dict_.found("velocity"))
+    {
+        c.setVelocity(type, velocity_);
+    }
     return c;
 }
 

@@ -38,7 +38,7 @@ void Foam::givenPlaces::place
     {
         FatalIOErrorInFunction(dict_)
             << "Entry 'position': clump " << outside << " of type "
-            << types_[typeId(outside)].name() << " at " << position(outside)
+            << types_[clump(outside).typeId].name() << " at " << position(outside)
             << " lies outside the mesh." << exit(FatalIOError);
     }
 
@@ -47,14 +47,9 @@ void Foam::givenPlaces::place
         const label k = at.first();
         if (owners[k] == Pstream::myProcNo())
         {
-            auto* p = new clumpParcel
-            (
-                mesh, position(k), at.second(), typeId(k), state(k)
-            );
-            p->origProc() = 0;
-            p->origId() = k;
-            clumps.addParticle(p);
-            if (followsFlow(k))
+            const newClump c(clump(k));
+            c.enter(clumps, at.second(), k);
+            if (c.followsFlow)
             {
                 followFlow.insert(k);
             }

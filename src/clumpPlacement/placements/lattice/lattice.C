@@ -47,9 +47,11 @@ Foam::clumpPlacements::lattice::lattice
 }
 
 
-Foam::label Foam::clumpPlacements::lattice::typeId(const label k) const
+Foam::newClump Foam::clumpPlacements::lattice::clump(const label k) const
 {
-    return typeAt(fractions_, std::fmod(0.5 + 0.5*(std::sqrt(5.0) - 1)*k, 1.0));
+    const label typei =
+        typeAt(fractions_, std::fmod(0.5 + 0.5*(std::sqrt(5.0) - 1)*k, 1.0));
+    return newClump(types_[typei], typei, position(k));
 }
 
 

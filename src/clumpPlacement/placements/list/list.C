@@ -55,17 +55,21 @@ Foam::clumpPlacements::list::list
                 givenRotation(d),
                 getFiniteOrDefault<vector>(d, "velocity", Zero),
                 getFiniteOrDefault<vector>(d, "angularVelocity", Zero),
-                !moves
+                moves
             }
         );
     }
 }
 
 
-Foam::clumpState Foam::clumpPlacements::list::state(const label k) const
+Foam::newClump Foam::clumpPlacements::list::clump(const label k) const
 {
     const place& p = places_[k];
-    clumpState s(types_[p.typeId], p.turn);
-    s.setRigidMotion(types_[p.typeId], p.velocity, p.angularVelocity);
-    return s;
+    const clumpType& type = types_[p.typeId];
+    newClump result(type, p.typeId, p.position, p.turn);
+    if (p.moves)
+    {
+        result.setVelocity(type, p.velocity, p.angularVelocity);
+    }
+    return result;
 }

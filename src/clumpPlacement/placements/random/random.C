@@ -184,15 +184,11 @@ void Foam::clumpPlacements::random::scatter
             }
             else if (owners[i] == Pstream::myProcNo())
             {
-                clumpState state(types_[typeIds[k]]);
-                state.q[0] = turned ? turn : uniformRotation(own[k]);
-                auto* p = new clumpParcel
+                newClump
                 (
-                    region.mesh(), points[i], cells[i], typeIds[k], state
-                );
-                p->origProc() = 0;
-                p->origId() = k;
-                clumps.addParticle(p);
+                    types_[typeIds[k]], typeIds[k], points[i],
+                    turned ? turn : uniformRotation(own[k])
+                ).enter(clumps, cells[i], k);
             }
         }
         wanted = others;

@@ -112,9 +112,7 @@ bool Foam::clumpSuspension::transfer()
         }
     };
     Cloud<clumpParcel>::move(*this, td, dt);
-    const bool others = source_->inject(*this, count_) > 0;
-    count_.endStep(size());
-    return others;
+    return source_->inject(*this, count_, start_.followFlow()) > 0;
 }
 
 

@@ -147,7 +147,12 @@ void Foam::deformableCloud::moveParcels()
     if (transfer())
     {
         motion().newClumps();
+        if (hasFluid())
+        {
+            giveFlow(mesh_.lookupObject<volVectorField>("U"));
+        }
     }
+    count_.endStep(size());
     timing_.endStep
     (
         [&](const char* part) { return effects_.takesPart(part); }

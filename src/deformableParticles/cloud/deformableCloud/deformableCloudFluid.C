@@ -180,19 +180,12 @@ void Foam::deformableCloud::sampleKinds(const volVectorField& U)
 
 void Foam::deformableCloud::imposeFlow(const volVectorField& U)
 {
-    for (clumpImage& image : ghosts_.images())
-    {
-        image.fluid.reset(image.x.size());
-    }
-    coupling_->boundary().sampleVelocity(U, ghosts_.images());
-    ghosts_.returnForces();
-
-    label index = 0;
+    DynamicList<clumpParcel*> all;
     for (clumpParcel& p : *this)
     {
-        p.step().end = p.state();
-        followFlow(p, ghosts_.images()[index++], p.step().end);
+        all.append(&p);
     }
+    followFlow(U, all);
     imposeEnd();
 }
 
@@ -277,42 +270,69 @@ void Foam::deformableCloud::gatherForces
 
 void Foam::deformableCloud::followFlow
 (
-    const clumpParcel& p,
-    const clumpImage& image,
-    clumpState& s
+    const volVectorField& U,
+    const UList<clumpParcel*>& clumps
 ) const
 {
-    if (type(p).fixed())
+    // Images of these alone: those of the step stay as they are
+    ghostExchange ghosts(mesh_);
+    UList<clumpImage>& images = ghosts.own(clumps.size());
+    forAll(clumps, k)
     {
-        return;
+        const clumpParcel& p = *clumps[k];
+        images[k].set(p, type(p), p.state(), k, p.step().extrapolation);
     }
-    if (const clumpKind* k = kind(p))
+    ghosts.update();
+    coupling_->sampleVelocity(U, ghosts);
+    for (const clumpKind& kind : kinds_)
     {
-        s.u = k->flowVelocities(p);
+        kind.sampleFlow(U, ghosts);
     }
-    else
+
+    forAll(clumps, k)
     {
-        coupling_->followFlow(type(p), image, s);
+        clumpParcel& p = *clumps[k];
+        const clumpImage& image = ghosts.images()[k];
+        clumpState& s = p.step().end;
+        s = p.state();
+        if (type(p).fixed())
+        {
+            continue;
+        }
+        if (kind(p))
+        {
+            s.u = image.sampled;
+        }
+        else
+        {
+            coupling_->followFlow(type(p), image, s);
+        }
+        const vector held(motion().held(p.typeId()) & s.velocity(type(p)));
+        s.u -= held;
     }
-    const vector held(motion().held(p.typeId()) & s.velocity(type(p)));
-    s.u -= held;
 }
 
 
-bool Foam::deformableCloud::startWithVelocities()
+void Foam::deformableCloud::giveFlow(const volVectorField& U)
 {
-    bool some = false;
-    label index = 0;
+    DynamicList<clumpParcel*> some;
     for (clumpParcel& p : *this)
     {
-        const clumpImage& image = ghosts_.images()[index++];
         if (start_.followsFlow(p))
         {
-            followFlow(p, image, p.state());
+            some.append(&p);
         }
-        some = some || (!start_.followsFlow(p) && max(mag(p.state().u)) > 0);
     }
-    return returnReduce(some, orOp<bool>());
+    if (returnReduce(some.size(), sumOp<label>()))
+    {
+        followFlow(U, some);
+        for (clumpParcel* p : some)
+        {
+            p->state() = p->step().end;
+            count_.setVelocity(*p);
+        }
+    }
+    start_.end();
 }
 
 
@@ -330,17 +350,13 @@ bool Foam::deformableCloud::startWithFlow
     {
         return false;
     }
-    updateGhosts();
-    coupling_->sampleVelocity(U, nu, ghosts_.images());
-    ghosts_.returnForces();
-    if (coupled())
+    bool some = false;
+    for (const clumpParcel& p : *this)
     {
-        immerseKinds();
-        sampleKinds(U);
+        some = some || (!start_.followsFlow(p) && max(mag(p.state().u)) > 0);
     }
-
-    const bool some = startWithVelocities();
-    start_.end();
+    reduce(some, orOp<bool>());
+    giveFlow(U);
     followedFlow_ = coupled() && !some && kinds_.empty();
 
     // What starts with a velocity of its own starts with the fluid inside it

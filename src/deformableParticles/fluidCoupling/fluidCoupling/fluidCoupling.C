@@ -5,6 +5,8 @@
 
 #include "fluidCoupling.H"
 #include "bondFrame.H"
+#include "fieldAtSpheres.H"
+#include "fvcGrad.H"
 #include "IOdictionary.H"
 
 Foam::fluidCoupling::fluidCoupling
@@ -142,19 +144,18 @@ void Foam::fluidCoupling::integrate
 void Foam::fluidCoupling::sampleVelocity
 (
     const volVectorField& U,
-    const volScalarField& nu,
-    UList<clumpImage>& images
-)
+    ghostExchange& ghosts
+) const
 {
     if (twoWay())
     {
-        boundary_->update(images, nu);
-        boundary_->sampleVelocity(U, images);
+        boundary_->sampleVelocity(U, ghosts.images());
     }
     else
     {
-        drag_->sampleVelocity(U, images);
+        setFieldAtSpheres(U, fvc::grad(U)(), ghosts.images());
     }
+    ghosts.returnForces();
 }
 
 

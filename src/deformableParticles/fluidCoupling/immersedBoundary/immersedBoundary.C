@@ -121,17 +121,23 @@ void Foam::immersedBoundary::checkResolution
 {
     for (const clumpImage& image : images)
     {
-        if (!types_[image.typeId].ofSpheres())
-        {
-            continue;
-        }
-        coveredCells c;
-        c.update
+        coveredBy(image);
+    }
+}
+
+
+Foam::coveredCells Foam::immersedBoundary::coveredBy(const clumpImage& image) const
+{
+    coveredCells result;
+    if (types_[image.typeId].ofSpheres())
+    {
+        result.update
         (
             geometry_, *solidFractionModel_, *forcingModel_,
             types_[image.typeId], image
         );
     }
+    return result;
 }
 
 

@@ -155,25 +155,21 @@ void Foam::immersedBoundary::sampleVelocity
     UList<clumpImage>& images
 ) const
 {
-    visit
-    (
-        images,
-        [&U]
-        (
-            clumpImage& image, const coveredCells&,
-            const coveredCell& c, const UList<sphereWeight>& weights,
-            const scalar
-        )
+    for (clumpImage& image : images)
+    {
+        image.fluid.reset(image.x.size());
+        const coveredCells covered(coveredBy(image));
+        forAll(covered.cells(), k)
         {
-            const scalar V = c.volume*c.solid;
-            for (const sphereWeight& s : weights)
+            const coveredCell& c = covered.cells()[k];
+            const scalar V = c.volume*c.lambda;
+            for (const sphereWeight& s : covered.weights(k))
             {
-                const label i = s.i;
-                image.fluid.f[i] += V*s.w*U[c.celli];
-                image.fluid.t[i] += V*s.w*vector::one;
+                image.fluid.f[s.i] += V*s.w*U[c.celli];
+                image.fluid.t[s.i] += V*s.w*vector::one;
             }
         }
-    );
+    }
 }
 
 

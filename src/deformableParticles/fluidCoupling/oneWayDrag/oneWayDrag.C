@@ -22,17 +22,6 @@ Foam::scalarField Foam::oneWayDrag::resistance
 }
 
 
-void Foam::oneWayDrag::sampleVelocity
-(
-    const volVectorField& U,
-    UList<clumpImage>& images
-)
-{
-    gradient_.reset(fvc::grad(U).ptr());
-    setFieldAtSpheres(U, *gradient_, images);
-}
-
-
 void Foam::oneWayDrag::integrate
 (
     const volVectorField& U,

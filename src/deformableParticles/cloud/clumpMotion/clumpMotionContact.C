@@ -76,7 +76,7 @@ void Foam::clumpMotion::advanceTogether(const scalar dt)
         if (contacting_.mustSolve(solved, deviated))
         {
             const timeBreakdown::timer t(clumps_.timing(), "clumps");
-            nSolves_ += integrator_->advance(contacting_, dt);
+            nSolves_ += contacting_.advance(*integrator_, dt);
             index = 0;
             for (clumpParcel& p : clumps_)
             {

@@ -16,15 +16,15 @@ Foam::contactStep::contactStep
     const gapForces& gaps
 )
 :
-    mesh_(mesh),
     types_(types),
-    bonds_(bonds),
-    contacts_(contacts),
-    walls_(walls),
     gaps_(gaps),
     ghosts_(mesh),
     wholeDt_(0),
     dt_(0),
+    mesh_(mesh),
+    bonds_(bonds),
+    contacts_(contacts),
+    walls_(walls),
     range_(0),
     rubs_(contacts.laws().frictional() || walls.laws().frictional())
 {

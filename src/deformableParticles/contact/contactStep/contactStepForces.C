@@ -29,7 +29,7 @@ vector of(const vectorField& moves, const label i)
 void Foam::contactStep::begin(const scalar dt)
 {
     dt_ = dt;
-    leaveParts();
+    inPart_ = false;
     move(true);
     if (rubs_)
     {
@@ -40,6 +40,51 @@ void Foam::contactStep::begin(const scalar dt)
             smoothing_ = m.hasGuess ? smoothing_ : 1000;
         }
         reduce(smoothing_, maxOp<scalar>());
+        renew_ = true;
+        evaluate();
+        setPressed();
+    }
+    renew_ = true;
+}
+
+
+void Foam::contactStep::setStarts()
+{
+    move(true);
+    before_ = moved_;
+    for (sphereContact& t : sphereContacts_)
+    {
+        if (isCoupled_[t.a])
+        {
+            evaluate(t);
+        }
+    }
+}
+
+
+void Foam::contactStep::beginPart()
+{
+    // What has been left may be met again
+    sphereContacts_ = search_.contacts;
+    begins_ = search_.begins;
+    inPart_ = true;
+    setStarts();
+    distribute(false);
+}
+
+
+void Foam::contactStep::beginStage(const scalar dt)
+{
+    dt_ = dt;
+    leastEigenvalue = 0;
+    setStarts();
+    for (sphereContact& t : sphereContacts_)
+    {
+        t.first = isCoupled_[t.a] ? t.d : t.first;
+    }
+    if (rubs_)
+    {
+        smoothing_ = 1000;
         renew_ = true;
         evaluate();
         setPressed();
@@ -77,25 +122,29 @@ void Foam::contactStep::move(const bool all)
 {
     const List<vectorField> moved(moved_);
     const List<vectorField> turned(rubs_ ? turned_ : List<vectorField>());
+    const auto turn = [&](const label a, const clumpState& start)
+    {
+        const clumpState& end = clumps_[a].step().end;
+        forAll(turned_[a], i)
+        {
+            turned_[a][i] = rotationVector(end.q[i]*conjugate(start.q[i]));
+        }
+    };
     for (label a = 0; a < clumps_.size(); ++a)
     {
         const clumpParcel& p = clumps_[a];
         if (all || isCoupled_[a])
         {
             moved_[a] = p.step().end.x - p.state().x;
-            if (rubs_)
+            if (rubs_ && !isCoupled_[a])
             {
-                const clumpState& start =
-                    inPart_ && starts_[a] ? *starts_[a] : p.state();
-                forAll(turned_[a], i)
-                {
-                    turned_[a][i] = rotationVector
-                    (
-                        p.step().end.q[i]*conjugate(start.q[i])
-                    );
-                }
+                turn(a, p.state());
             }
         }
+    }
+    for (label m = 0; rubs_ && m < coupled_.size(); ++m)
+    {
+        turn(clumpOf_[m], *coupled_[m].start);
     }
     remote_.exchange(moved_);
     if (rubs_)

@@ -18,7 +18,7 @@ void Foam::contactStep::clearCoupled()
     nRenewed_.clear();
     isCoupled_ = Zero;
     hasNewCoupled_ = false;
-    leaveParts();
+    inPart_ = false;
 }
 
 
@@ -124,7 +124,6 @@ void Foam::contactStep::endSearch()
     setLocalIndices();
     setRanges();
     distribute(true);
-    findBounces();
 
     search_.dt = wholeDt_;
     search_.tooNarrow = false;
@@ -230,7 +229,8 @@ void Foam::contactStep::setLocalIndices()
     }
     remote_.exchange(moved_);
     turned_ = moved_;
-    hasMoved_ = boolList(moved_.size(), true);
+    hasMoved_.setSize(moved_.size());
+    hasMoved_ = true;
 }
 
 

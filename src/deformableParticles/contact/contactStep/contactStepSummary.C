@@ -60,6 +60,5 @@ Foam::contactSummary Foam::contactStep::summary() const
                 half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.otherIndex))*t.n;
         }
     }
-    result.virial = virial_ + counts_*result.virial;
     return result;
 }

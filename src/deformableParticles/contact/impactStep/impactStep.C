@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "implicitEuler.H"
+#include "impactStep.H"
 #include "bondForces.H"
 #include "foamCompat.H"
 
@@ -139,14 +139,36 @@ struct coupledParts
 }
 
 
-Foam::label Foam::integrators::implicitEuler::advanceInParts
+Foam::label Foam::impactStep::advance(const integrator& method, const scalar dt)
+{
+    return
+        bounces_ && method.implicit()
+      ? advanceInParts(method, dt)
+      : method.advance(*this, dt);
+}
+
+
+Foam::contactSummary Foam::impactStep::summary() const
+{
+    contactSummary result(contactStep::summary());
+    if (inPart_)
+    {
+        result.virial = virial_;
+    }
+    return result;
+}
+
+
+Foam::label Foam::impactStep::advanceInParts
 (
-    clumpInteraction& group,
+    const integrator& method,
     const scalar dt
-) const
+)
 {
     const scalar g = 1 - Foam::sqrt(0.5);
-    UList<clumpInteraction::coupledClump>& clumps = group.coupledClumps();
+    begin(dt);
+    virial_ = Zero;
+    UList<coupledClump>& clumps = coupledClumps();
 
     PtrList<coupledParts> parts(clumps.size());
     forAll(clumps, m)
@@ -158,7 +180,7 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
     }
 
     label nSolves = 0;
-    bool complete = true;
+    bool allComplete = true;
     const auto solveStage = [&](const scalar h)
     {
         forAll(clumps, m)
@@ -167,13 +189,13 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
             clumps[m].hasGuess = false;
             parts[m].setForces(h);
         }
-        group.beginStage(h);
-        nSolves += solve(group, h, true);
-        complete = complete && group.complete;
+        beginStage(h);
+        nSolves += method.advanceStage(*this, h);
+        allComplete = allComplete && complete;
     };
     const auto energy = [&]()
     {
-        scalar result = group.elasticEnergy();
+        scalar result = elasticEnergy();
         forAll(clumps, m)
         {
             result += parts[m].energy(*clumps[m].end);
@@ -206,11 +228,11 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
             const scalar part = gain/(g*h*power);
             forAll(clumps, m)
             {
-                clumpInteraction::coupledClump& clump = clumps[m];
+                coupledClump& clump = clumps[m];
                 clump.received -= part*parts[m].impulses(clump, g);
                 externalForces ext(parts[m].ext);
                 ext.f += clump.received;
-                balanceMomentum
+                integrator::balanceMomentum
                 (
                     clump.bonds->type(), ext, g*h, parts[m].start, *clump.end
                 );
@@ -224,14 +246,14 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
     {
         const scalar before = energy();
         solveStage(g*h);
-        group.endStage((1 - g)*h/dt);
+        endStage((1 - g)*h/dt);
         forAll(clumps, m)
         {
             parts[m].goBeyond(clumps[m], (1 - g)/g);
         }
         solveStage(g*h);
-        group.endStage(g*h/dt);
-        if (!group.turns() && !keepEnergy(before, h))
+        endStage(g*h/dt);
+        if (!turns() && !keepEnergy(before, h))
         {
             return false;
         }
@@ -251,7 +273,7 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
             parts[m].start = parts[m].begin;
         }
         bool resolves = false;
-        const scalar h = group.part(left, resolves);
+        const scalar h = part(left, resolves);
         if (!resolves || !inStages(h))
         {
             forAll(clumps, m)
@@ -259,20 +281,20 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
                 parts[m].start = parts[m].begin;
             }
             solveStage(h);
-            group.endStage(resolves ? 0 : h/dt);
+            endStage(resolves ? 0 : h/dt);
             forAll(clumps, m)
             {
                 parts[m].receive(clumps[m], h/dt);
             }
         }
-        breakBonds(group);
+        integrator::breakBonds(*this);
         left = h < left ? left - h : 0;
     }
-    group.complete = complete;
+    complete = allComplete;
 
     forAll(clumps, m)
     {
-        clumpInteraction::coupledClump& clump = clumps[m];
+        coupledClump& clump = clumps[m];
         coupledParts& p = parts[m];
         const clumpType& type = clump.bonds->type();
         clump.start = p.given.start;
@@ -291,7 +313,7 @@ Foam::label Foam::integrators::implicitEuler::advanceInParts
         externalForces ext(*clump.ext);
         ext.f += clump.received;
         ext.t += clump.receivedTorques;
-        balanceMomentum(type, ext, dt, *clump.start, *clump.end);
+        integrator::balanceMomentum(type, ext, dt, *clump.start, *clump.end);
     }
     return nSolves;
 }

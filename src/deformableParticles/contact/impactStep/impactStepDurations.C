@@ -3,7 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
-#include "contactStep.H"
+#include "impactStep.H"
 #include "mathematicalConstants.H"
 #include "rigidResponse.H"
 #include "vector2D.H"
@@ -14,7 +14,7 @@ namespace
 using namespace Foam;
 
 //- Parts of a step per duration of a contact. An elastic collision loses less than 0.1 %
-//  of the energy to the method of implicitEuler with 16
+//  of the energy to the method with 16
 constexpr scalar partsPerContact = 16;
 
 //- Steps that are longer than so many durations are not divided
@@ -38,7 +38,7 @@ scalar closing(const scalar gap, const scalar v, const scalar a)
 }
 
 
-Foam::scalar Foam::contactStep::wholeMass(const sphereContact& t) const
+Foam::scalar Foam::impactStep::wholeMass(const sphereContact& t) const
 {
     const clumpType& own = type(t.a);
     if (t.b < 0)
@@ -53,7 +53,7 @@ Foam::scalar Foam::contactStep::wholeMass(const sphereContact& t) const
 }
 
 
-bool Foam::contactStep::stokesAllows(const sphereContact& t, const scalar u) const
+bool Foam::impactStep::stokesAllows(const sphereContact& t, const scalar u) const
 {
     const auto radius = [](const clumpType& ct)
     {
@@ -73,7 +73,7 @@ bool Foam::contactStep::stokesAllows(const sphereContact& t, const scalar u) con
 }
 
 
-bool Foam::contactStep::hasEnergy
+bool Foam::impactStep::hasEnergy
 (
     const sphereContact& t,
     const scalar v,
@@ -85,7 +85,7 @@ bool Foam::contactStep::hasEnergy
 }
 
 
-Foam::scalar Foam::contactStep::elastic(const sphereContact& t, const scalar overlap)
+Foam::scalar Foam::impactStep::elastic(const sphereContact& t, const scalar overlap)
 {
     if (!t.hasLaw || overlap <= 0 || t.weight < leastWeight)
     {
@@ -97,7 +97,7 @@ Foam::scalar Foam::contactStep::elastic(const sphereContact& t, const scalar ove
 }
 
 
-Foam::scalar Foam::contactStep::duration(const sphereContact& t, const scalar energy)
+Foam::scalar Foam::impactStep::duration(const sphereContact& t, const scalar energy)
 {
     // Newton's method for the largest overlap, of logarithms: the energy is nearly a
     // power of it
@@ -123,7 +123,7 @@ Foam::scalar Foam::contactStep::duration(const sphereContact& t, const scalar en
 }
 
 
-Foam::scalar Foam::contactStep::approach
+Foam::scalar Foam::impactStep::approach
 (
     const sphereContact& t,
     const List<vectorField>& u,
@@ -136,7 +136,7 @@ Foam::scalar Foam::contactStep::approach
 }
 
 
-void Foam::contactStep::setMasses
+void Foam::impactStep::setMasses
 (
     UList<sphereContact>& contacts,
     const List<vectorField>& u,
@@ -201,7 +201,7 @@ void Foam::contactStep::setMasses
 }
 
 
-bool Foam::contactStep::mayBounce() const
+bool Foam::impactStep::mayBounce() const
 {
     for (const sphereContact& t : sphereContacts_)
     {
@@ -223,32 +223,37 @@ bool Foam::contactStep::mayBounce() const
 }
 
 
-void Foam::contactStep::findBounces()
+void Foam::impactStep::endSearch()
 {
+    contactStep::endSearch();
     bounces_ = returnReduce(mayBounce(), orOp<bool>());
+    if (!bounces_)
+    {
+        return;
+    }
+    scalar unresolved = GREAT;
+    bounces_ = toNext(wholeDt_, unresolved).x() < GREAT;
     if (bounces_)
     {
         // An explicit integrator needs the masses, too
-        const List<sphereContact> before(sphereContacts_);
-        scalar unresolved = GREAT;
-        bounces_ = toNext(wholeDt_, unresolved).x() < GREAT;
-        if (!bounces_)
-        {
-            sphereContacts_ = before;
-        }
-        reduce(unresolved, minOp<scalar>());
-        if (unresolved < GREAT && !told_)
-        {
-            told_ = true;
-            Info<< "A contact of " << unresolved << " s in a step of " << wholeDt_
-                << " s: bodies keep their restitution in steps of up to " << longest
-                << " times that, and bounce less in longer ones" << endl;
-        }
+        search_.contacts = sphereContacts_;
+    }
+    else
+    {
+        sphereContacts_ = search_.contacts;
+    }
+    reduce(unresolved, minOp<scalar>());
+    if (unresolved < GREAT && !told_)
+    {
+        told_ = true;
+        Info<< "A contact of " << unresolved << " s in a step of " << wholeDt_
+            << " s: bodies keep their restitution in steps of up to " << longest
+            << " times that, and bounce less in longer ones" << endl;
     }
 }
 
 
-Foam::vector2D Foam::contactStep::toNext
+Foam::vector2D Foam::impactStep::toNext
 (
     const scalar left,
     scalar& unresolved
@@ -376,21 +381,9 @@ Foam::vector2D Foam::contactStep::toNext
 }
 
 
-Foam::scalar Foam::contactStep::part(const scalar left, bool& resolves)
+Foam::scalar Foam::impactStep::part(const scalar left, bool& resolves)
 {
-    // What has been left may be met again
-    sphereContacts_ = search_.contacts;
-    begins_ = search_.begins;
-    inPart_ = true;
-    setStarts();
-    for (sphereContact& t : sphereContacts_)
-    {
-        if (isCoupled_[t.a])
-        {
-            evaluate(t);
-        }
-    }
-    distribute(false);
+    beginPart();
     scalar unresolved = GREAT;
     const vector2D h(toNext(left, unresolved));
     resolves = h.x() < GREAT;
@@ -398,52 +391,7 @@ Foam::scalar Foam::contactStep::part(const scalar left, bool& resolves)
 }
 
 
-void Foam::contactStep::setStarts()
-{
-    starts_ = List<const clumpState*>(clumps_.size(), nullptr);
-    forAll(coupled_, m)
-    {
-        starts_[clumpOf_[m]] = coupled_[m].start;
-    }
-    move(true);
-    before_ = moved_;
-}
-
-
-void Foam::contactStep::beginStage(const scalar dt)
-{
-    dt_ = dt;
-    leastEigenvalue = 0;
-    setStarts();
-    for (sphereContact& t : sphereContacts_)
-    {
-        if (isCoupled_[t.a])
-        {
-            evaluate(t);
-            t.first = t.d;
-        }
-    }
-    if (rubs_)
-    {
-        smoothing_ = 1000;
-        renew_ = true;
-        evaluate();
-        setPressed();
-    }
-    renew_ = true;
-}
-
-
-void Foam::contactStep::endStage(const scalar fraction)
-{
-    counts_ = fraction;
-    virial_ = summary().virial;
-    counts_ = 0;
-    starts_ = List<const clumpState*>(clumps_.size(), nullptr);
-}
-
-
-Foam::scalar Foam::contactStep::elasticEnergy() const
+Foam::scalar Foam::impactStep::elasticEnergy() const
 {
     scalar result = 0;
     for (const label a : clumpOf_)

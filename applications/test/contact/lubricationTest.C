@@ -30,6 +30,9 @@ struct wetCloud
     //- Of what the clumps of this processor received
     scalar work;
 
+    //- Forces of contacts and films on the spheres of each of them [N]
+    DynamicList<vectorField> contacts;
+
     wetCloud
     (
         const scalar dt,
@@ -72,16 +75,21 @@ struct wetCloud
             before.append(clump.state().x);
         }
         cloud->evolve(U, p, viscosity);
+        for (const clumpParcel& clump : *cloud)
+        {
+            externalForces ofFluid(cloud->type(clump).size());
+            cloud->coupling().addForces
+            (
+                clump, testTime().deltaTValue(), ofFluid
+            );
+            contacts.append(vectorField(clump.step().forces.f - ofFluid.f));
+        }
         cloud->accept();
         label k = 0;
         for (const clumpParcel& clump : *cloud)
         {
-            const clumpStep& s = clump.step();
-            work += sum
-            (
-                (s.forces.f - s.steadyForces.f)
-              & (clump.state().x - before[k++])
-            );
+            work += sum(contacts[k] & (clump.state().x - before[k]));
+            ++k;
         }
     }
 
@@ -90,10 +98,10 @@ struct wetCloud
     vectorField received() const
     {
         vectorField result(cloud->nClumps(), Zero);
+        label k = 0;
         for (const clumpParcel& p : *cloud)
         {
-            result[p.origId()] =
-                sum(p.step().forces.f) - sum(p.step().steadyForces.f);
+            result[p.origId()] = sum(contacts[k++]);
         }
         reduce(result, sumOp<vectorField>());
         return result;
@@ -101,15 +109,12 @@ struct wetCloud
 
     vector moment() const
     {
+        label k = 0;
         return sumOver<vector>
         (
-            [](const clumpParcel& p, const clumpType&)
+            [&](const clumpParcel& p, const clumpType&)
             {
-                return sum
-                (
-                    p.centres()
-                  ^ (p.step().forces.f - p.step().steadyForces.f)
-                );
+                return sum(p.centres() ^ contacts[k++]);
             }
         );
     }

@@ -89,11 +89,8 @@ void Foam::clumpMotion::setNodeForces()
         ++index;
         if (clumps_.kind(p))
         {
-            // As in solveOnce
-            externalForces& ext = p.step().forces;
-            ext = externalForces(type(p).size());
-            addWeight(p, ext);
-            loads_.add(p, index, ext);
+            setSteadyForces(p, 0);
+            loads_.add(p, index, p.step().forces);
         }
     }
 }
@@ -156,7 +153,13 @@ void Foam::clumpMotion::solveOnce(const scalar dt)
         {
             p.step().begin(p.state());
         }
-        setSteadyForces(p, dt);
+        if (clumps_.coupled())
+        {
+            momentum_.addFluid
+            (
+                p, coupling_->interiorForces(p, dt), coupling_->displacedInertia(p, dt)
+            );
+        }
         p.step().holdForce = Zero;
     }
 
@@ -190,7 +193,7 @@ void Foam::clumpMotion::advanceAll(const scalar dt)
             // Bonds that broke in a solution that was not accepted
             step.end.broken = p.state().broken;
         }
-        step.forces = step.steadyForces;
+        setSteadyForces(p, dt);
         step.forces.f += type(p).masses()/type(p).mass()*step.holdForce;
     }
     if (!loads_.empty())
@@ -247,25 +250,17 @@ void Foam::clumpMotion::setSteadyForces
 )
 {
     const clumpType& ct = type(p);
-    externalForces& ext = p.step().steadyForces;
+    externalForces& ext = p.step().forces;
     ext = externalForces(ct.size());
 
     addWeight(p, ext);
     if (!ct.ofSpheres())
     {
-        momentum_.addFluid(p, vectorField(), Zero);
         return;
     }
     if (clumps_.hasFluid())
     {
         coupling_->addForces(p, dt, ext);
-    }
-    if (clumps_.coupled())
-    {
-        momentum_.addFluid
-        (
-            p, coupling_->interiorForces(p, dt), coupling_->displacedInertia(p, dt)
-        );
     }
     const externalForces& otherKindForces = p.step().otherKindForces;
     if (otherKindForces.f.size())

@@ -373,14 +373,10 @@ bool Foam::fluidCoupling::turn
 }
 
 
-bool Foam::fluidCoupling::adapt
-(
-    clumpParcel& p,
-    const scalar dt,
-    const bool repeated
-) const
+void Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
 {
-    return
-        types_[p.typeId()].ofSpheres()
-     && coefficient_->adapt(p, viscosity(p), dt, repeated);
+    if (types_[p.typeId()].ofSpheres())
+    {
+        coefficient_->adapt(p, viscosity(p), dt);
+    }
 }

@@ -132,6 +132,74 @@ TEST_CASE("hold: in all directions nothing but a rotation remains", "[cloud][hol
 }
 
 
+TEST_CASE("hold: a sphere that is pressed by another one is as a fixed one", "[cloud][hold]")
+{
+    // A load presses the pusher onto the anvil, with and without friction
+    const string law = GENERATE
+    (
+        "type hertz; reducedModulus 1000; restitution 0.5;",
+        "type hertz; reducedModulus 1000; restitution 0.5; friction 0.3;"
+    );
+    const auto distance = [&](const string& motion, const string& hold)
+    {
+        const string body =
+            " { shape { type chain; nSpheres 1; sphereRadius 1e-6; } density 1000;"
+            " bondModel { type elastic; rigidities { normal 1e-12; tangential 1e-12;"
+            " bending 1e-24; torsional 1e-24; } } dampingModel { type none; } motion ";
+        openCloud cloud
+        (
+            testMesh(),
+            dictOf
+            (
+                "types { anvil" + body + motion + "; } pusher" + body + "free; } }"
+                "placement { type list; clumps"
+                " ({ type anvil; position (9e-6 10e-6 10e-6); velocity (0 0 0); }"
+                " { type pusher; position (11.001e-6 10e-6 10e-6); velocity (0 0 0); }); }"
+                "integrator { type implicitEuler; tolerance 1e-10; maxIterations 100; }"
+                "contactModel { " + law + " } wallContactModel { type none; }"
+                "rotation { type wholeClump; } couplingScheme { type robin; coefficient 1; }"
+                "immersedBoundary { solidFraction { type tetClipping; }"
+                " forcing { type sharp; } hydrodynamicForce { type momentumExchange; }"
+                " interiorDilation yes; }"
+                "loads { push { type pointForces; clumpType pusher; spheres (0);"
+                " forces ((-1e-9 0 0)); torques ((0 0 0)); factor 1; } "
+              + hold + " } effects { fluid off; }"
+            )
+        );
+        vector apart(Zero);
+        for (label step = 0; step < 200; ++step)
+        {
+            cloud.evolve();
+            cloud.accept();
+            cloud.moveParcels();
+        }
+        for (const clumpParcel& p : cloud)
+        {
+            const point centre(p.unwrappedCentre(cloud.type(p)));
+            const bool anvil = cloud.type(p).name() == "anvil";
+            apart += anvil ? vector(-centre) : vector(centre);
+            if (anvil)
+            {
+                CHECK(mag(centre - point(9e-6, 10e-6, 10e-6)) < 1e-17);
+            }
+        }
+        reduce(apart, sumOp<vector>());
+        return apart;
+    };
+    const vector fixed(distance("fixed", ""));
+    const vector held
+    (
+        distance
+        (
+            "free",
+            "all { type hold; clumpType anvil; directions ((1 0 0) (0 1 0) (0 0 1)); }"
+        )
+    );
+    CHECK(fixed.x() < 2e-6 - 1e-9);
+    CHECK(mag(held - fixed) < 1e-4*(2e-6 - fixed.x()));
+}
+
+
 TEST_CASE("hold: entries that are refused", "[cloud][hold]")
 {
     const string integration =

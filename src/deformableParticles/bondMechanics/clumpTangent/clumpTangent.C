@@ -123,7 +123,13 @@ void Foam::clumpTangent::addCoupling
 
 void Foam::clumpTangent::addRankOne(const scalar k, const Eigen::VectorXd& g)
 {
-    rankOnes_.push_back({k, g, g});
+    rankOnes_.push_back({false, k, g, g});
+}
+
+
+void Foam::clumpTangent::addConstraint(const Eigen::VectorXd& g)
+{
+    rankOnes_.push_back({true, 0, g, g});
 }
 
 
@@ -217,7 +223,9 @@ void Foam::clumpTangent::correct
     for (std::size_t m = 0; m < n; ++m)
     {
         const rankOne& term = rankOnes_[m];
-        x -= term.Ag*(term.k*term.g.dot(x)/(1 + term.k*term.g.dot(term.Ag)));
+        const scalar gx = term.g.dot(x);
+        const scalar gAg = term.g.dot(term.Ag);
+        x -= term.Ag*(term.constrains ? gx/gAg : term.k*gx/(1 + term.k*gAg));
     }
 }
 

@@ -155,74 +155,33 @@ Foam::symmTensor Foam::clumpLoads::held() const
 }
 
 
-bool Foam::clumpLoads::changeHolds
-(
-    Cloud<clumpParcel>& clumps,
-    const scalar dt,
-    const label n
-) const
+void Foam::clumpLoads::addHold(clumpParcel& p, const scalar dt) const
 {
-    if (tr(sum(held_)) <= 0)
+    const symmTensor& along = held(p.typeId());
+    if (tr(along) <= 0)
     {
-        return false;
+        return;
     }
+    const clumpType& ct = types_[p.typeId()];
+    const clumpState& start = p.state();
+    clumpState& end = p.step().end;
+    externalForces& ext = p.step().forces;
 
-    constexpr label most = 20;
-    scalar farthest = 0;
-    for (clumpParcel& p : clumps)
-    {
-        const clumpType& ct = types_[p.typeId()];
-        const symmTensor& along = held(p.typeId());
-        clumpStep& step = p.step();
-        const vector deviation
+    const vectorField dx(end.x - start.x);
+    const vector H
+    (
+        along
+      & sum
         (
-            along & (step.end.centre(ct) - p.state().centre(ct))
-        );
-        farthest = max(farthest, mag(deviation)/min(ct.radii()));
-
-        // The secant through the last two solutions; before, mass and coupling alone
-        const scalar inertia = ct.mass()/dt + sum(step.forces.zeta);
-        const vector change(deviation - step.holdDeviation);
-        if (n == 0)
-        {
-            step.holdStiffness = inertia/dt;
-        }
-        else if
-        (
-            mag(change) > 0.1*mag(step.holdDeviation)
-         && (step.holdDeviation & change) < 0
+            ct.masses()/dt*(end.u - start.u) + (ext.k & dx)
+          + ext.zeta*(end.u - ext.imposedU) - ext.f
         )
-        {
-            step.holdStiffness *= -(step.holdDeviation & change)/magSqr(change);
-        }
-        step.holdDeviation = deviation;
-    }
-    reduce(farthest, maxOp<scalar>());
+    );
+    ext.f += ct.masses()/ct.mass()*H;
 
-    const bool again = farthest > 1e-9 && n + 1 < most;
-    if (farthest > 1e-6 && !again)
-    {
-        WarningInFunction
-            << "A clump that is held has moved by " << farthest
-            << " sphere radii in the step; it is put back." << endl;
-    }
-    for (clumpParcel& p : clumps)
-    {
-        const clumpType& ct = types_[p.typeId()];
-        clumpStep& step = p.step();
-        if (again)
-        {
-            step.holdForce -= step.holdStiffness*step.holdDeviation;
-        }
-        else
-        {
-            // What is left is below the tolerance of the solution
-            const vector du(held(p.typeId()) & step.end.velocity(ct));
-            step.forces.f -=
-                (ct.masses()/dt + step.forces.zeta)*du;
-            step.end.x -= step.holdDeviation;
-            step.end.u -= du;
-        }
-    }
-    return again;
+    // What the balance of angular momentum and rounding leave of the motion
+    const vector du(along & end.velocity(ct));
+    ext.f -= (ct.masses()/dt + ext.zeta)*du;
+    end.u -= du;
+    end.x -= along & (end.centre(ct) - start.centre(ct));
 }

@@ -115,28 +115,21 @@ void Foam::clumpMotion::solve(const bool endsStep)
         {
             p.step().begin(p.state());
         }
-        if (clumps_.coupled())
+        else
         {
             momentum_.addFluid
             (
                 p, coupling_->interiorForces(p, dt), coupling_->displacedInertia(p, dt)
             );
         }
-        p.step().holdForce = Zero;
     }
-
-    label n = 0;
-    do
-    {
-        advanceAll(dt);
-    }
-    while (loads_.changeHolds(clumps_, dt, n++));
-
+    advanceAll(dt);
     for (clumpParcel& p : clumps_)
     {
         clumpStep& step = p.step();
         if (!type(p).fixed() && type(p).ofSpheres())
         {
+            loads_.addHold(p, dt);
             momentum_.addStep(type(p), p.state(), step);
         }
         step.hasGuess = true;
@@ -164,7 +157,7 @@ void Foam::clumpMotion::advanceAll(const scalar dt)
             step.end.broken = p.state().broken;
         }
         setSteadyForces(p, dt);
-        step.forces.f += type(p).masses()/type(p).mass()*step.holdForce;
+        step.forces.held = loads_.held(p.typeId());
     }
     if (!loads_.empty())
     {

@@ -282,6 +282,7 @@ Foam::vector2D Foam::impactStep::toNext
             forces[a] = &p.step().forces;
         }
         vector f(Zero);
+        symmTensor held(Zero);
         scalar mass = type(a).mass();
         if (forces[a])
         {
@@ -292,9 +293,10 @@ Foam::vector2D Foam::impactStep::toNext
             {
                 f -= sum(ext.zeta*(u[a] - ext.imposedU));
             }
+            held = ext.held;
             mass += dt_*sum(ext.zeta);
         }
-        accelerations[a][0] = f/mass;
+        accelerations[a][0] = (f - (held & f))/mass;
         for (label k = begins_[a]; k < begins_[a + 1]; ++k)
         {
             sphereContact t(sphereContacts_[k]);
@@ -303,7 +305,7 @@ Foam::vector2D Foam::impactStep::toNext
             evaluate(t);
             f += t.w.force*t.n;
         }
-        accelerations[a][1] = f/mass;
+        accelerations[a][1] = (f - (held & f))/mass;
     }
     remote_.exchange(u);
     remote_.exchange(accelerations);

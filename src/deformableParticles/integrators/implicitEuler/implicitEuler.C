@@ -52,7 +52,7 @@ void Foam::integrators::implicitEuler::advance
     // Start from the motion at the old velocities if its potential is lower than
     // that of the positions at the start
     const scalar W0 = potential.value(s);
-    predict(type, dt, s);
+    predict(type, dt, ext.held, s);
     if (potential.value(s) > W0)
     {
         s.x = start.x;
@@ -106,7 +106,7 @@ Foam::label Foam::integrators::implicitEuler::solve
         {
             if (s.x == start.x)
             {
-                predict(m.bonds->type(), dt, s);
+                predict(m.bonds->type(), dt, m.ext->held, s);
             }
             forAll(s.x, i)
             {
@@ -192,11 +192,13 @@ void Foam::integrators::implicitEuler::predict
 (
     const clumpType& type,
     const scalar dt,
+    const symmTensor& held,
     clumpState& s
 )
 {
     const point centre(s.centre(type));
     const vector velocity(s.velocity(type));
+    const vector free(velocity - (held & velocity));
     const vector omega(s.angularVelocity(type));
     const quaternion turn(rotation(dt*omega));
     const tensor R(turn.R());
@@ -212,7 +214,7 @@ void Foam::integrators::implicitEuler::predict
         (
             (half & (s.u[i] - velocity)) - (omega ^ r)
         );
-        s.x[i] = centre + dt*velocity + (R & (r + dt*deformation));
+        s.x[i] = centre + dt*free + (R & (r + dt*deformation));
         s.q[i] = turn*rotation(dt*(s.w[i] - omega))*s.q[i];
     }
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "incrementalPotential.H"
+#include <Eigen/Eigenvalues>
 
 namespace
 {
@@ -137,8 +138,51 @@ Foam::scalar Foam::incrementalPotential::value
         W += group_->energy(groupIndex_);
         addInteraction(gradient, K);
     }
+    if (tr(ext_.held) > 0)
+    {
+        hold(gradient, K);
+    }
 
     return W;
+}
+
+
+void Foam::incrementalPotential::hold
+(
+    Eigen::VectorXd* gradient,
+    clumpTangent* K
+) const
+{
+    const scalarField share(type_.masses()/type_.mass());
+    const Eigen::Matrix3d P(matrix(ext_.held));
+    if (gradient)
+    {
+        Eigen::Vector3d H(Eigen::Vector3d::Zero());
+        forAll(share, i)
+        {
+            H += P*gradient->segment<3>(6*i);
+        }
+        forAll(share, i)
+        {
+            gradient->segment<3>(6*i) -= share[i]*H;
+        }
+    }
+    if (K)
+    {
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions(P);
+        for (label k = 0; k < 3; ++k)
+        {
+            if (directions.eigenvalues()[k] > 0.5)
+            {
+                Eigen::VectorXd g(Eigen::VectorXd::Zero(6*share.size()));
+                forAll(share, i)
+                {
+                    g.segment<3>(6*i) = share[i]*directions.eigenvectors().col(k);
+                }
+                K->addConstraint(g);
+            }
+        }
+    }
 }
 
 

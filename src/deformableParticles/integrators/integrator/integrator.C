@@ -67,6 +67,9 @@ void Foam::integrator::balanceMomentum
         I += ((m + z)*magSqr(r) + J + JR)*tensor::I - (m + z)*(r*r);
     }
 
+    // What is missing where the centre is held is the force that holds it
+    P -= ext.held & P;
+
     // About the centre of that inertia, as zeta need not be proportional to m
     const vector c(S/M);
     L -= c ^ P;

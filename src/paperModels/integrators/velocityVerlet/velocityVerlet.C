@@ -104,6 +104,7 @@ void Foam::integrators::velocityVerlet::advance
               - ext.zeta[i]*(s.u[i] - ext.imposedU[i]);
             T[i] += ext.t[i] - ext.zetaR[i]*(s.w[i] - ext.imposedW[i]);
         }
+        F -= type.masses()/type.mass()*(ext.held & sum(F));
     };
 
     const auto accelerate = [&]()
@@ -115,6 +116,7 @@ void Foam::integrators::velocityVerlet::advance
         }
     };
 
+    s.u -= ext.held & s.velocity(type);
     updateForces();
     for (label sub = 0; sub < nSub; ++sub)
     {

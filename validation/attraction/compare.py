@@ -1,0 +1,45 @@
+"""Force at which two attracting bodies part: of beads Derjaguin's 2 pi R w0, on any mesh and at any
+step; of rings and cells what their shape makes of it."""
+
+import math
+
+import numpy as np
+from results import Results, plt, read, save
+
+ENERGY = 2.67e-6    # [J/m2]
+SOURCE = "Derjaguin 1934; Derjaguin, Muller and Toporov 1975"
+
+results = Results()
+figure, axes = plt.subplots(figsize=(6, 3.6))
+rings = {}
+for r in read("data.csv"):
+    columns = np.genfromtxt(r["history"], delimiter=",", names=True, dtype=None, encoding="utf-8")
+    held, free = (columns[columns["type"] == t] for t in ("held", "body"))
+    t = held["t_s"]
+    distance = np.hypot(free["x_m"] - held["x_m"], free["y_m"] - held["y_m"])
+    force = r["largest_N"]*t/r["ramp_s"]
+    apart = np.nonzero(distance > distance.min() + 5e-8)[0]
+    parting = force[apart[apart > len(t)//10][0]]
+    name = "%s of %d, %g mesh cells" % (r["kind"], r["n"], r["mesh_cells"])
+    name += ", step %g s" % r["step_s"]
+    if r["direction"] != "normal":
+        name += ", sliding"
+    if r["kind"] == "bead":
+        law = 2*math.pi*1e-6*ENERGY
+        results.add(name + ": force of parting", parting/law, "of the law", 1, 0.05, SOURCE)
+    else:
+        rings[r["kind"], r["n"], r["mesh_cells"], r["direction"]] = parting
+        results.report(name + ": force of parting", parting*1e12, "pN",
+                       "a pair of cells: 3 to 7 pN normal, 1.5 to 3 pN sliding (Fedosov 2011)")
+    axes.plot(force*1e12, (distance - distance[0])*1e6, label=name)
+coarse, fine = (rings.get(("ring", 10, n, "normal")) for n in (3, 4))
+if fine:
+    results.add("ring of 10: 3 mesh cells over 4", coarse/fine, "-", 1, 0.05,
+                "no dependence on the mesh")
+axes.set_xlabel("force [pN]")
+axes.set_ylabel("way apart [um]")
+axes.set_xscale("log")
+axes.set_ylim(-0.5, 3)
+axes.legend(fontsize=6)
+save(figure, "attraction.png")
+results.write()

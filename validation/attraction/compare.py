@@ -1,5 +1,5 @@
 """Force at which two attracting bodies part: of beads Derjaguin's 2 pi R w0, on any mesh and at any
-step; of rings and cells what their shape makes of it."""
+step; of rings what their shape makes of it."""
 
 import math
 

@@ -101,11 +101,49 @@ void Foam::clumpMotion::solve(const bool endsStep)
     contacting_.endsStep = endsStep;
     approximate_ = false;
     const scalar dt = clumps_.mesh().time().deltaTValue();
+    for (clumpParcel& p : clumps_)
+    {
+        p.step().overshootsBefore = p.overshoots();
+    }
     {
         const timeBreakdown::timer t(clumps_.timing(), "loads");
         loads_.sample(clumps_.ghosts());
     }
 
+    // Those whose coupling coefficient is raised overshoot; a few times suffice
+    constexpr label most = 3;
+    for (label n = 0; n < most; ++n)
+    {
+        solveOnce(dt);
+        if (!clumps_.coupled() || !adaptCoupling(dt, n > 0))
+        {
+            break;
+        }
+    }
+    for (clumpParcel& p : clumps_)
+    {
+        p.step().change = p.step().end.u - p.step().imposedU;
+    }
+}
+
+
+bool Foam::clumpMotion::adaptCoupling
+(
+    const scalar dt,
+    const bool repeated
+)
+{
+    bool again = false;
+    for (clumpParcel& p : clumps_)
+    {
+        again = coupling_->adapt(p, dt, repeated) || again;
+    }
+    return returnReduce(again, orOp<bool>());
+}
+
+
+void Foam::clumpMotion::solveOnce(const scalar dt)
+{
     momentum_ = clumpMomentum();
     passing_.clear();
     contactSummary_ = contactSummary();
@@ -135,14 +173,6 @@ void Foam::clumpMotion::solve(const bool endsStep)
         step.hasGuess = true;
     }
     endCorrector(dt);
-    for (clumpParcel& p : clumps_)
-    {
-        if (clumps_.coupled())
-        {
-            coupling_->adapt(p, dt);
-        }
-        p.step().change = p.step().end.u - p.step().imposedU;
-    }
 }
 
 

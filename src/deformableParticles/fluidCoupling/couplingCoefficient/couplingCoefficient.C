@@ -72,11 +72,12 @@ void Foam::couplingCoefficient::set
 }
 
 
-void Foam::couplingCoefficient::adapt
+bool Foam::couplingCoefficient::adapt
 (
     clumpParcel& p,
     const scalar mu,
-    const scalar dt
+    const scalar dt,
+    const bool repeated
 ) const
 {
     clumpStep& step = p.step();
@@ -90,7 +91,7 @@ void Foam::couplingCoefficient::adapt
         reverses && counts && sum(magSqr(now)) > sum(magSqr(last));
 
     // A single one may be the change of an acceleration's sign, if small
-    p.overshoots() = overshoots ? p.overshoots() + 1 : 0;
+    p.overshoots() = overshoots ? step.overshootsBefore + 1 : 0;
     const bool unstable =
         p.overshoots() > 1
      || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(u)));
@@ -98,31 +99,49 @@ void Foam::couplingCoefficient::adapt
     scalar& factor = p.couplingFactor();
     step.needsShorterStep =
         unstable && !(scheme_->damps() && factor < maxFactor);
-    if (!scheme_->damps())
+    if (!scheme_->damps() || (repeated && !unstable))
     {
-        return;
+        return false;
     }
     bool sure = p.overshoots() > 1;
     const scalar needed = neededRaise(p, mu, dt, sure);
-
-    // What other clumps did in one corrector they seldom do in two
-    scalar raise = counts ? min(needed, step.neededBefore) : 1;
-    step.neededBefore = needed/raise;
-    if (raise <= 1 && unstable)
+    if (!repeated)
+    {
+        // What other clumps did in one corrector they seldom do in two
+        const scalar raise = counts ? min(needed, step.neededBefore) : 1;
+        step.neededBefore = needed/raise;
+        if (raise > 1)
+        {
+            return raiseFactor(p, raise);
+        }
+    }
+    if (unstable)
     {
         const bool persists = p.overshoots() > 4;
-        raise = max(needed, scalar(persists ? 2 : 1));
-        raise = sure ? raise : min(raise, 2.0);
+        const scalar raise = max(needed, scalar(persists ? 2 : 1));
+        if (raise > 1 && (sure || !repeated))
+        {
+            return raiseFactor(p, sure ? raise : min(raise, 2.0)) && sure;
+        }
     }
-    if (raise > 1)
-    {
-        step.raised = step.raised || factor < maxFactor;
-        factor = min(raise*factor, maxFactor);
-    }
-    else if (!reverses)
+    if (!reverses && !repeated)
     {
         factor = max(0.98*factor, 1.0);
     }
+    return false;
+}
+
+
+bool Foam::couplingCoefficient::raiseFactor(clumpParcel& p, const scalar raise)
+{
+    scalar& factor = p.couplingFactor();
+    if (factor >= maxFactor)
+    {
+        return false;
+    }
+    factor = min(raise*factor, maxFactor);
+    p.step().raised = true;
+    return true;
 }
 
 

@@ -373,10 +373,14 @@ bool Foam::fluidCoupling::turn
 }
 
 
-void Foam::fluidCoupling::adapt(clumpParcel& p, const scalar dt) const
+bool Foam::fluidCoupling::adapt
+(
+    clumpParcel& p,
+    const scalar dt,
+    const bool repeated
+) const
 {
-    if (types_[p.typeId()].ofSpheres())
-    {
-        coefficient_->adapt(p, viscosity(p), dt);
-    }
+    return
+        types_[p.typeId()].ofSpheres()
+     && coefficient_->adapt(p, viscosity(p), dt, repeated);
 }

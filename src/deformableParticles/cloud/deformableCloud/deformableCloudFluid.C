@@ -305,7 +305,7 @@ void Foam::deformableCloud::followFlow
         }
         else
         {
-            coupling_->followFlow(image, s);
+            coupling_->followFlow(type(p), image, s);
         }
         const vector held(motion().held(p.typeId()) & s.velocity(type(p)));
         s.u -= held;

@@ -154,14 +154,8 @@ void Foam::fluidCoupling::sampleVelocity
     else
     {
         setFieldAtSpheres(U, fvc::grad(U)(), ghosts.images());
-        for (clumpImage& image : ghosts.images())
-        {
-            image.constraint.solidVolumes = image.fluid.t.component(0);
-            image.fluid.t = Zero;
-        }
     }
     ghosts.returnForces();
-    ghosts.returnConstraints();
 }
 
 
@@ -189,45 +183,20 @@ void Foam::fluidCoupling::takeTorques
 }
 
 
-void Foam::fluidCoupling::followFlow(const clumpImage& image, clumpState& s)
+void Foam::fluidCoupling::followFlow
+(
+    const clumpType& type,
+    const clumpImage& image,
+    clumpState& s
+)
 {
-    // sampleVelocity has stored the integrals here
-    const imageForces& flow = image.fluid;
-    const constraintForces& cells = image.constraint;
-    const scalar volume = max(sum(cells.solidVolumes), VSMALL);
-    const vector moment(sum(cells.solidVolumes*s.x) + sum(cells.solidMoments));
-    const point centre(moment/volume);
-
-    // Of the fluid as if it were rigid
-    vector momentum(Zero);
-    symmTensor inertia(Zero);
-    forAll(s.x, i)
-    {
-        const vector d(s.x[i] - centre);
-        const vector& M = cells.solidMoments[i];
-        momentum += flow.t[i] + (d ^ flow.f[i]);
-        inertia +=
-            cells.solidInertias[i] + 2*(d & M)*symmTensor::I - twoSymm(d*M)
-          + cells.solidVolumes[i]*(magSqr(d)*symmTensor::I - sqr(d));
-    }
-    const scalar scale = max(tr(inertia), VSMALL);
-    const bool turns = det(inertia/scale) > 1e-6;
-    const vector omega
-    (
-        turns ? inv(inertia/scale) & (momentum/scale) : vector::zero
-    );
-    const vector mean(sum(flow.f)/volume);
     forAll(s.u, i)
     {
-        // At the centre of the sphere, not of its mesh cells. One without any goes with the
-        // others
-        const scalar V = cells.solidVolumes[i];
-        s.u[i] =
-            V > VSMALL
-          ? (flow.f[i] - (omega ^ cells.solidMoments[i]))/V
-          : mean + (omega ^ (s.x[i] - centre));
+        // sampleVelocity has stored the integrals of velocity and volume here
+        s.u[i] = image.fluid.f[i]/max(image.fluid.t[i].x(), VSMALL);
     }
-    s.w = omega;
+    s.w = vectorField(s.w.size(), Zero);
+    s.w = s.angularVelocity(type);
 }
 
 

@@ -73,10 +73,13 @@ void Foam::immersedBoundary::setSolidVolumes(UList<clumpImage>& images) const
             {
                 for (const sphereWeight& s : weights)
                 {
-                    image.constraint.addVolume
-                    (
-                        s.i, c.volume*fraction*s.w, c.x - image.x[s.i]
-                    );
+                    const scalar V = c.volume*fraction*s.w;
+                    const vector r(c.x - image.x[s.i]);
+                    constraintForces& constraint = image.constraint;
+                    constraint.solidVolumes[s.i] += V;
+                    constraint.solidMoments[s.i] += V*r;
+                    constraint.solidInertias[s.i] +=
+                        V*(magSqr(r)*symmTensor::I - sqr(r));
                 }
             }
         }
@@ -154,17 +157,16 @@ void Foam::immersedBoundary::sampleVelocity
 {
     for (clumpImage& image : images)
     {
+        image.fluid.reset(image.x.size());
         const coveredCells covered(coveredBy(image));
         forAll(covered.cells(), k)
         {
             const coveredCell& c = covered.cells()[k];
+            const scalar V = c.volume*c.lambda;
             for (const sphereWeight& s : covered.weights(k))
             {
-                const scalar V = c.volume*c.lambda*s.w;
-                const vector r(c.x - image.x[s.i]);
-                image.fluid.f[s.i] += V*U[c.celli];
-                image.fluid.t[s.i] += V*(r ^ U[c.celli]);
-                image.constraint.addVolume(s.i, V, r);
+                image.fluid.f[s.i] += V*s.w*U[c.celli];
+                image.fluid.t[s.i] += V*s.w*vector::one;
             }
         }
     }

@@ -265,7 +265,7 @@ Foam::contactModel::pressure Foam::membraneContacts::law
 }
 
 
-void Foam::membraneContacts::addFilm
+void Foam::membraneContacts::setStart
 (
     nodeContact& c,
     const body& nodes,
@@ -428,7 +428,7 @@ void Foam::membraneContacts::findNodes
             c.first = ghosts.images()[nodes].typeId;
             c.second = ghosts.images()[triangles].typeId;
             const vector w(coordinatesOf(t, to.x, p.at));
-            addFilm
+            setStart
             (
                 c, from,
                 w[0]*to.moved[t[0]] + w[1]*to.moved[t[1]] + w[2]*to.moved[t[2]]
@@ -527,7 +527,7 @@ void Foam::membraneContacts::findSpheres
             {
                 contacts.last().first = ghosts.images()[membrane].typeId;
                 contacts.last().second = ghosts.images()[spheres].typeId;
-                addFilm(contacts.last(), nodes, others.moved[at]);
+                setStart(contacts.last(), nodes, others.moved[at]);
             }
             nearest.append(at);
         }
@@ -567,7 +567,7 @@ void Foam::membraneContacts::findWalls
                 contacts.last().first = type;
                 contacts.last().second = wall.patch;
                 contacts.last().atWall = true;
-                addFilm(contacts.last(), nodes, vector::zero);
+                setStart(contacts.last(), nodes, vector::zero);
             }
         }
     }

@@ -9,6 +9,7 @@
 #include "ListOps.H"
 #include "modelSelection.H"
 #include "sphereGrid.H"
+#include "surfaceDistance.H"
 
 namespace Foam
 {
@@ -59,6 +60,48 @@ Foam::functionObjects::clumpClusters::header() const
 }
 
 
+bool Foam::functionObjects::clumpClusters::near
+(
+    const clumpImage& A,
+    const clumpImage& B
+) const
+{
+    const clumpType& a = cloud().types()[A.typeId];
+    const clumpType& b = cloud().types()[B.typeId];
+    if (a.hasTriangles() && !b.hasTriangles())
+    {
+        return near(B, A);
+    }
+    const scalarField rA(a.hasTriangles() ? scalarField(A.x.size(), Zero) : a.radii());
+    if (b.hasTriangles())
+    {
+        const auto places = surfaceDistance(b.surface(), B.x).nearest
+        (
+            A.x, max(rA) + gap_
+        );
+        forAll(places, i)
+        {
+            if (places[i].found && places[i].distance < rA[i] + gap_)
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+    forAll(A.x, i)
+    {
+        forAll(B.x, j)
+        {
+            if (magSqr(A.x[i] - B.x[j]) < sqr(rA[i] + b.radii()[j] + gap_))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+
 Foam::DynamicList<Foam::Pair<Foam::labelPair>>
 Foam::functionObjects::clumpClusters::neighbours() const
 {
@@ -84,20 +127,9 @@ Foam::functionObjects::clumpClusters::neighbours() const
         images, ghosts.nOwn(), scalarList(ghosts.nOwn(), Zero),
         [&](const label first, const label second)
         {
-            const clumpImage& A = images[first];
-            const clumpImage& B = images[second];
-            const scalarField& rA = types[A.typeId].radii();
-            const scalarField& rB = types[B.typeId].radii();
-            forAll(A.x, i)
+            if (near(images[first], images[second]))
             {
-                forAll(B.x, j)
-                {
-                    if (magSqr(A.x[i] - B.x[j]) < sqr(rA[i] + rB[j] + gap_))
-                    {
-                        result.append(Pair<labelPair>(A.id, B.id));
-                        return;
-                    }
-                }
+                result.append(Pair<labelPair>(images[first].id, images[second].id));
             }
         }
     );

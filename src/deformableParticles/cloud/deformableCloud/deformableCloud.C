@@ -119,6 +119,10 @@ void Foam::deformableCloud::evolve
     if (!coupled())
     {
         extrapolatePositions();
+        if (motion().gaps().hasLaws())
+        {
+            ghosts_.setRange(motion().decisions().gapRange());
+        }
         updateGhosts();
     }
     gatherForces(U, p, nu);
@@ -136,6 +140,10 @@ void Foam::deformableCloud::evolve
 
 void Foam::deformableCloud::evolve()
 {
+    if (motion().gaps().hasLaws())
+    {
+        ghosts_.setRange(motion().decisions().gapRange());
+    }
     updateGhosts();
     motion().decideEffects();
     motion().solve(true);

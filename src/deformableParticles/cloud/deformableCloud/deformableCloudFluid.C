@@ -38,7 +38,9 @@ void Foam::deformableCloud::immerse
         extrapolatePositions();
     }
     const bool films = motion().decisions().mayLubricate();
-    scalar range = kinds_.empty() ? 0 : motion().decisions().gapRange();
+    scalar range =
+        kinds_.size() || motion().gaps().hasLaws()
+      ? motion().decisions().gapRange() : 0;
     for (const clumpKind& kind : kinds_)
     {
         range = max(range, films ? kind.range() : 0);

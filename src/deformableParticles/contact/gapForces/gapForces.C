@@ -5,6 +5,7 @@
 
 #include "gapForces.H"
 #include "contactLaws.H"
+#include "wordRes.H"
 
 Foam::gapForces::gapForces
 (
@@ -62,8 +63,14 @@ void Foam::gapForces::addLaw
     own.remove("patches");
     added->law = selectModel<gapModel>(own);
 
+    if (added->law->resists())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'type' is " << dict.get<word>("type") << ", a film of fluid, which the"
+            << " entry lubrication adds." << exit(FatalIOError);
+    }
     const wordList names(dict.getOrDefault<wordList>("types", wordList()));
-    if (dict.found("patches"))
+    if (dict.getOrDefault<wordRes>("patches", wordRes()).size())
     {
         for (const label patchi : contactLaws::wallsOf(dict, patches))
         {
@@ -137,6 +144,31 @@ Foam::scalar Foam::gapForces::range
 }
 
 
+Foam::contactModel::increment Foam::gapForces::potential
+(
+    const scalar gap,
+    const gapModel::radii& R,
+    const scalar cellWidth,
+    const bool atWall,
+    const label first,
+    const label second
+) const
+{
+    contactModel::increment result{0, 0, 0};
+    for (const surfaceLaw& law : laws_)
+    {
+        if (acts(law, first, second, atWall))
+        {
+            const auto w(law.law->step(gap, gap, 1, R, {viscosity_, cellWidth, atWall}));
+            result.energy += w.energy;
+            result.force += w.force;
+            result.stiffness += w.stiffness;
+        }
+    }
+    return result;
+}
+
+
 Foam::contactModel::increment Foam::gapForces::step
 (
     const scalar gap,
@@ -149,24 +181,16 @@ Foam::contactModel::increment Foam::gapForces::step
     const label second
 ) const
 {
-    contactModel::increment result{0, 0, 0};
-    const auto add = [&](const gapModel& law)
+    contactModel::increment result
+    (
+        potential(gap, R, cellWidth, atWall, first, second)
+    );
+    if (filmActs_)
     {
-        const auto w(law.step(gap, start, dt, R, {viscosity_, cellWidth, atWall}));
+        const auto w(film_->step(gap, start, dt, R, {viscosity_, cellWidth, atWall}));
         result.energy += w.energy;
         result.force += w.force;
         result.stiffness += w.stiffness;
-    };
-    if (filmActs_)
-    {
-        add(*film_);
-    }
-    for (const surfaceLaw& law : laws_)
-    {
-        if (acts(law, first, second, atWall))
-        {
-            add(*law.law);
-        }
     }
     return result;
 }

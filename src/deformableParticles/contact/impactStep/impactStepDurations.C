@@ -97,6 +97,26 @@ Foam::scalar Foam::impactStep::elastic(const sphereContact& t, const scalar over
 }
 
 
+Foam::scalar Foam::impactStep::acrossGap(const sphereContact& t) const
+{
+    if (!t.reaches || t.d <= -t.range)
+    {
+        return 0;
+    }
+    // The force stays as it is while the bodies overlap, see evaluate
+    const scalar gap = max(-t.d, scalar(0));
+    const auto w
+    (
+        gaps_.potential
+        (
+            gap, t.gapR, t.cellWidth, t.b < 0, clumps_[t.a].typeId(),
+            t.b < 0 ? t.patch : ghosts_.images()[t.b].typeId
+        )
+    );
+    return t.gapWeight*(w.energy + w.force*(gap + t.d));
+}
+
+
 Foam::scalar Foam::impactStep::duration(const sphereContact& t, const scalar energy)
 {
     // Newton's method for the largest overlap, of logarithms: the energy is nearly a
@@ -402,7 +422,7 @@ Foam::scalar Foam::impactStep::elasticEnergy() const
         {
             const sphereContact& t = sphereContacts_[k];
             const bool both = t.b >= 0 && isCoupled_[t.otherIndex];
-            result += (both ? 0.5 : 1)*elastic(t, t.d);
+            result += (both ? 0.5 : 1)*(elastic(t, t.d) + acrossGap(t));
         }
     }
     return result;

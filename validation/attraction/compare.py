@@ -38,7 +38,7 @@ if fine:
                 "no dependence on the mesh")
 axes.set_xlabel("force [pN]")
 axes.set_ylabel("way apart [um]")
-axes.set_xscale("log")
+axes.set_xlim(10, 150)
 axes.set_ylim(-0.5, 3)
 axes.legend(fontsize=6)
 save(figure, "attraction.png")

@@ -264,7 +264,7 @@ TEST_CASE("gap forces: only what is on acts", "[gap][serial]")
     forces.setViscosity(1e-3);
     const auto force = [&]()
     {
-        return forces.step(1e-7, 2e-7, 1e-4, R, 0.5e-6, true, 0, 0).force;
+        return forces.step(1e-7, 2e-7, 1e-4, R, {0, 0, true, 0.5e-6}).force;
     };
     CHECK(!forces.active());
     CHECK(force() == 0);
@@ -308,8 +308,9 @@ TEST_CASE("gap forces: laws act between the types and at the walls that they nam
     // In units of 2 pi R and 1e-6 J/m2, where surfaces touch
     const auto force = [&](const label first, const label second, const bool atWall)
     {
-        const auto w(forces.step(0, 0, 1, 1e-6, 2e-6, atWall, first, second));
-        const auto p(forces.surfacePressure(0, 0, 1, 1e-6, 2e-6, atWall, first, second));
+        const gapForces::place where{first, second, atWall, 2e-6};
+        const auto w(forces.step(0, 0, 1, 1e-6, where));
+        const auto p(forces.surfacePressure(0, 0, 1, 1e-6, where));
         CHECK(w.force == Approx(2*constant::mathematical::pi*1e-6*p.energy).margin(1e-20));
         return -p.energy/1e-6;
     };

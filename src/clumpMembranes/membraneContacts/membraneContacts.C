@@ -239,26 +239,17 @@ Foam::contactModel::pressure Foam::membraneContacts::law
             stress_*range_/3*pow3(s), stress_*sqr(s), 2*stress_/range_*s
         };
     }
-    const auto addPressure = [&](const contactModel::pressure& p)
-    {
-        result.energy += p.energy;
-        result.value += p.value;
-        result.stiffness += p.stiffness;
-    };
     if (c.faces && film_)
     {
-        addPressure(film_->surfacePressure(gap, c.start, dt_, c.radius, layer_));
+        result += film_->surfacePressure(gap, c.start, dt_, c.radius, layer_);
     }
-    if (c.faces && c.first >= 0 && gaps_)
+    if (c.faces && gaps_)
     {
         // Beyond the range of contact
-        addPressure
+        result += gaps_->surfacePressure
         (
-            gaps_->surfacePressure
-            (
-                gap - range_, c.start - range_, dt_, c.radius, width_,
-                c.atWall, c.first, c.second
-            )
+            gap - range_, c.start - range_, dt_, c.radius,
+            {c.first, c.second, c.atWall, width_}
         );
     }
     return result;

@@ -5,6 +5,7 @@
 
 #include "clumpClusters.H"
 #include "addToRunTimeSelectionTable.H"
+#include "foamCompat.H"
 #include "ghostExchange.H"
 #include "ListOps.H"
 #include "modelSelection.H"
@@ -114,8 +115,7 @@ Foam::functionObjects::clumpClusters::neighbours() const
     {
         clumpImage& image = own[a];
         image.set(p, types[p.typeId()], p.state(), a++);
-        image.box.min() -= 0.5*gap_*vector::one;
-        image.box.max() += 0.5*gap_*vector::one;
+        image.box = grown(image.box, 0.5*gap_);
         image.reach += 0.5*gap_;
     }
     ghosts.update();

@@ -119,10 +119,7 @@ void Foam::deformableCloud::evolve
     if (!coupled())
     {
         extrapolatePositions();
-        if (motion().gaps().hasLaws())
-        {
-            ghosts_.setRange(motion().decisions().gapRange());
-        }
+        ghosts_.setRange(motion().decisions().gapRange());
         updateGhosts();
     }
     gatherForces(U, p, nu);
@@ -140,10 +137,7 @@ void Foam::deformableCloud::evolve
 
 void Foam::deformableCloud::evolve()
 {
-    if (motion().gaps().hasLaws())
-    {
-        ghosts_.setRange(motion().decisions().gapRange());
-    }
+    ghosts_.setRange(motion().decisions().gapRange());
     updateGhosts();
     motion().decideEffects();
     motion().solve(true);

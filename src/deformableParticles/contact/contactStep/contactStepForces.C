@@ -219,9 +219,7 @@ void Foam::contactStep::evaluate(sphereContact& t) const
         const scalar gap = max(-t.d, least);
         contactModel::increment w = gaps_.step
         (
-            gap, max(-t.first, least), dt_, t.gapR, t.cellWidth, t.b < 0,
-            clumps_[t.a].typeId(),
-            t.b < 0 ? t.patch : ghosts_.images()[t.b].typeId
+            gap, max(-t.first, least), dt_, t.gapR, placeOf(t)
         );
         if (gap > -t.d)
         {

@@ -101,19 +101,13 @@ void Foam::gapForces::addLaw
 }
 
 
-bool Foam::gapForces::acts
-(
-    const surfaceLaw& law,
-    const label first,
-    const label second,
-    const bool atWall
-) const
+bool Foam::gapForces::acts(const surfaceLaw& law, const place& where) const
 {
-    const label i = types_[first].whole(first);
+    const label i = types_[where.first].whole(where.first);
     return
-        atWall
-      ? law.ofPatches[i*nPatches_ + second]
-      : law.ofTypes[i*nTypes_ + types_[second].whole(second)];
+        where.atWall
+      ? law.ofPatches[i*nPatches_ + where.second]
+      : law.ofTypes[i*nTypes_ + types_[where.second].whole(where.second)];
 }
 
 
@@ -148,21 +142,15 @@ Foam::contactModel::increment Foam::gapForces::potential
 (
     const scalar gap,
     const gapModel::radii& R,
-    const scalar cellWidth,
-    const bool atWall,
-    const label first,
-    const label second
+    const place& where
 ) const
 {
     contactModel::increment result{0, 0, 0};
     for (const surfaceLaw& law : laws_)
     {
-        if (acts(law, first, second, atWall))
+        if (acts(law, where))
         {
-            const auto w(law.law->step(gap, gap, 1, R, {viscosity_, cellWidth, atWall}));
-            result.energy += w.energy;
-            result.force += w.force;
-            result.stiffness += w.stiffness;
+            result += law.law->step(gap, gap, 1, R, medium(where));
         }
     }
     return result;
@@ -175,22 +163,13 @@ Foam::contactModel::increment Foam::gapForces::step
     const scalar start,
     const scalar dt,
     const gapModel::radii& R,
-    const scalar cellWidth,
-    const bool atWall,
-    const label first,
-    const label second
+    const place& where
 ) const
 {
-    contactModel::increment result
-    (
-        potential(gap, R, cellWidth, atWall, first, second)
-    );
+    contactModel::increment result(potential(gap, R, where));
     if (filmActs_)
     {
-        const auto w(film_->step(gap, start, dt, R, {viscosity_, cellWidth, atWall}));
-        result.energy += w.energy;
-        result.force += w.force;
-        result.stiffness += w.stiffness;
+        result += film_->step(gap, start, dt, R, medium(where));
     }
     return result;
 }
@@ -202,25 +181,19 @@ Foam::contactModel::pressure Foam::gapForces::surfacePressure
     const scalar start,
     const scalar dt,
     const scalar R,
-    const scalar cellWidth,
-    const bool atWall,
-    const label first,
-    const label second
+    const place& where
 ) const
 {
     contactModel::pressure result{0, 0, 0};
     for (const surfaceLaw& law : laws_)
     {
-        if (acts(law, first, second, atWall))
+        if (acts(law, where))
         {
-            const auto p = law.law->surfacePressure
+            const scalar range = law.law->range(where.cellWidth, where.atWall);
+            result += law.law->surfacePressure
             (
-                gap, start, dt, R,
-                {viscosity_, law.law->range(cellWidth, atWall), 0}
+                gap, start, dt, R, {viscosity_, range, 0}
             );
-            result.energy += p.energy;
-            result.value += p.value;
-            result.stiffness += p.stiffness;
         }
     }
     return result;

@@ -105,14 +105,7 @@ Foam::scalar Foam::impactStep::acrossGap(const sphereContact& t) const
     }
     // The force stays as it is while the bodies overlap, see evaluate
     const scalar gap = max(-t.d, scalar(0));
-    const auto w
-    (
-        gaps_.potential
-        (
-            gap, t.gapR, t.cellWidth, t.b < 0, clumps_[t.a].typeId(),
-            t.b < 0 ? t.patch : ghosts_.images()[t.b].typeId
-        )
-    );
+    const auto w(gaps_.potential(gap, t.gapR, placeOf(t)));
     return t.gapWeight*(w.energy + w.force*(gap + t.d));
 }
 

@@ -151,8 +151,24 @@ void Foam::completeTime::takePurge()
 void Foam::completeTime::readDict()
 {
     checkControls();
+    const int digits = precision_;
     Time::readDict();
+    precision_ = max(precision_, digits);
     takePurge();
+}
+
+
+void Foam::completeTime::takePrecision()
+{
+    // OpenFOAM takes as many digits as it can where timePrecision is too small for the
+    // name of the directory
+    precision_ = 6;
+    controlDict().readIfPresent("timePrecision", precision_);
+    while (precision_ < maxPrecision_ && timeName(startTime_) != last_)
+    {
+        ++precision_;
+    }
+    setTime(startTime_, timeIndex());
 }
 
 
@@ -307,6 +323,7 @@ Foam::completeTime::completeTime(const argList& args)
 {
     checkControls();
     watchFiles();
+    takePrecision();
     takePurge();
 
     // A file above the shell's limit (ulimit -f) fails, and does not kill

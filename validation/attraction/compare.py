@@ -17,9 +17,12 @@ for r in read("data.csv"):
     held, free = (columns[columns["type"] == t] for t in ("held", "body"))
     t = held["t_s"]
     distance = np.hypot(free["x_m"] - held["x_m"], free["y_m"] - held["y_m"])
-    force = r["largest_N"]*t/r["ramp_s"]
-    apart = np.nonzero(distance > distance.min() + 5e-8)[0]
-    parting = force[apart[apart > len(t)//10][0]]
+    force = r["largest_N"]*np.maximum(t - r["rest_s"], 0)/r["ramp_s"]
+    start = np.searchsorted(t, r["rest_s"] + 0.1*r["ramp_s"])
+    # Membranes are stretched before they part
+    way = 2e-6 if r["kind"] == "membrane" else 5e-8
+    apart = np.nonzero(distance[start:] > distance.min() + way)[0]
+    parting = force[start + apart[0]] if len(apart) else math.nan
     name = "%s of %d, %g mesh cells" % (r["kind"], r["n"], r["mesh_cells"])
     name += ", step %g s" % r["step_s"]
     if r["direction"] != "normal":

@@ -673,7 +673,10 @@ void Foam::membraneContacts::addToSpheres
         const nodeContact& c = contacts[k];
         const auto w(law(c, c.gap));
         const label j = nearest[k];
-        const symmTensor K(c.moves*c.area*w.stiffness*sqr(c.normal));
+        const symmTensor K
+        (
+            c.moves*c.area*max(w.stiffness, scalar(0))*sqr(c.normal)
+        );
         ext.k[j] += K;
         ext.f[j] +=
             (K & (dt_*p.step().imposedU[j])) - c.area*w.value*c.normal;
@@ -718,10 +721,8 @@ Foam::scalar Foam::membraneContacts::add
         potential += c.area/c.moves*w.energy;
 
         const Eigen::Vector3d normal(c.normal.x(), c.normal.y(), c.normal.z());
-        const Eigen::Matrix3d K
-        (
-            c.moves*c.area*w.stiffness*normal*normal.transpose()
-        );
+        const scalar k = tangent ? tangent->kept(w.stiffness) : 0;
+        const Eigen::Matrix3d K(c.moves*c.area*k*normal*normal.transpose());
         for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
         {
             const label i = c.nodes[n];

@@ -38,17 +38,39 @@ Foam::scalar Foam::membraneMinimiser::linearise
     const potential& phi,
     const vectorField& y,
     const scalar p,
-    const bool exact,
+    const scalar concave,
     vectorField& gradient
 ) const
 {
-    tangent_.clear(exact);
+    tangent_.clear(concave);
     const scalar result = phi(y, gradient, &tangent_);
-    if (exact)
+    if (concave > 0)
     {
-        tangent_.addPressure(type_.surface(), y, p);
+        tangent_.addPressure(type_.surface(), y, concave*p);
     }
     return result;
+}
+
+
+bool Foam::membraneMinimiser::factorise
+(
+    const potential& phi,
+    const vectorField& y,
+    const scalar p,
+    membraneFactors& factors
+) const
+{
+    bool done = factors.factorise(tangent_);
+    vectorField unused(y.size());
+    for (const scalar concave : {0.8, 0.4, 0.0})
+    {
+        if (!done)
+        {
+            linearise(phi, y, p, concave, unused);
+            done = factors.factorise(tangent_);
+        }
+    }
+    return done;
 }
 
 
@@ -118,7 +140,7 @@ bool Foam::membraneMinimiser::minimise
     {
         const vectorField volumeGradient(type_.surface().areaVectors(y));
         vectorField gradient(y.size());
-        const scalar value0 = linearise(phi, y, p, true, gradient);
+        const scalar value0 = linearise(phi, y, p, 1, gradient);
 
         // What is left with the last pressure: of the whole gradient, even a small
         // error would hide what the volume leaves of it
@@ -128,15 +150,11 @@ bool Foam::membraneMinimiser::minimise
         Eigen::VectorXd free;
         if (!(factors.usable() && solve(left, volumeGradient, factors, free)))
         {
-            if (!factors.factorise(tangent_))
-            {
-                linearise(phi, y, p, false, gradient);
-                if (!factors.factorise(tangent_))
-                {
-                    break;
-                }
-            }
-            if (!solve(left, volumeGradient, factors, free))
+            if
+            (
+                !factorise(phi, y, p, factors)
+             || !solve(left, volumeGradient, factors, free)
+            )
             {
                 break;
             }

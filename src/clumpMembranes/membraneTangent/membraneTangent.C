@@ -49,9 +49,9 @@ Foam::membraneTangent::membraneTangent
 }
 
 
-void Foam::membraneTangent::clear(const bool exact)
+void Foam::membraneTangent::clear(const scalar concave)
 {
-    exact_ = exact;
+    concave_ = concave;
     std::fill(lower_.valuePtr(), lower_.valuePtr() + lower_.nonZeros(), 0.0);
     products_.clear();
 }

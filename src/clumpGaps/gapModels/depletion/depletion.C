@@ -79,6 +79,6 @@ Foam::contactModel::pressure Foam::gapModels::depletion::surfacePressure
     {
         -energy_*s.f,
         energy_/between.limit*s.slope,
-        max(-energy_/sqr(between.limit)*s.curvature, scalar(0))
+        -energy_/sqr(between.limit)*s.curvature
     };
 }

@@ -124,8 +124,7 @@ Foam::scalar Foam::membraneModels::springNetwork::add
         if (tangent)
         {
             // Springs that are shorter than at rest would turn away: a negative stiffness
-            const scalar across =
-                (tangent->exact() ? tension : max(tension, scalar(0)))/length;
+            const scalar across = tangent->kept(tension)/length;
             const scalar stiffness = energies_[e]*psi[2]/sqr(lengths_[e]);
             const Eigen::Vector3d t(n.x(), n.y(), n.z());
             const Eigen::Matrix3d K

@@ -84,7 +84,7 @@ void Foam::membraneModels::surfaceArea::addStretch
         );
         triangleElasticity::addEdges
         (
-            t, tangent.exact() ? H : triangleElasticity::positive(H), tangent
+            t, triangleElasticity::kept(H, tangent), tangent
         );
     }
 }

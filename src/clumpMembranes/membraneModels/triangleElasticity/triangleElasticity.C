@@ -72,19 +72,28 @@ Eigen::Matrix<double, 6, 6> Foam::triangleElasticity::areaHessian
 }
 
 
-Eigen::Matrix<double, 6, 6> Foam::triangleElasticity::positive
+Eigen::Matrix<double, 6, 6> Foam::triangleElasticity::kept
 (
-    const Eigen::Matrix<double, 6, 6>& H
+    const Eigen::Matrix<double, 6, 6>& H,
+    const membraneTangent& tangent
 )
 {
+    if (tangent.exact())
+    {
+        return H;
+    }
     const Eigen::SelfAdjointEigenSolver<matrix6> eigen(H);
     if (eigen.eigenvalues()[0] >= 0)
     {
         return H;
     }
+    Eigen::Matrix<double, 6, 1> values(eigen.eigenvalues());
+    for (label k = 0; k < 6; ++k)
+    {
+        values[k] = tangent.kept(values[k]);
+    }
     return
-        eigen.eigenvectors()*eigen.eigenvalues().cwiseMax(0).asDiagonal()
-       *eigen.eigenvectors().transpose();
+        eigen.eigenvectors()*values.asDiagonal()*eigen.eigenvectors().transpose();
 }
 
 
@@ -156,7 +165,7 @@ Foam::scalar Foam::triangleElasticity::addTriangle
         );
         H += w.W12*(g1*g2.transpose() + g2*g1.transpose());
         H *= weight;
-        addEdges(t, tangent->exact() ? H : positive(H), *tangent);
+        addEdges(t, kept(H, *tangent), *tangent);
     }
     return weight*w.W;
 }

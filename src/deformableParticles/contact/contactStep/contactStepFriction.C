@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactStep.H"
+#include "mathematicalConstants.H"
 
 namespace
 {
@@ -65,7 +66,12 @@ void Foam::contactStep::setPressed(sphereContact& t) const
     t.slipNormal = t.n;
     const scalar friction = t.law ? t.law->friction() : 0;
     const scalar rolling = t.law ? t.law->rollingFriction() : 0;
-    const scalar moved = 1e-3*smoothing_*t.pressed*sqr(dt_)/max(t.m, VSMALL);
+
+    // What the force would move the body in the step, against its inertia and the fluid
+    const scalar drag =
+        6*constant::mathematical::pi*gaps_.viscosity()*t.R;
+    const scalar moved =
+        1e-3*smoothing_*t.pressed*dt_/max(t.m/dt_ + drag, VSMALL);
     t.sliding = {friction*t.pressed, friction*moved, Zero, Zero, 0};
     t.rolling = {rolling*t.R*t.pressed, rolling*moved/t.R, Zero, Zero, 0};
 

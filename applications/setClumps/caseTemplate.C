@@ -374,6 +374,14 @@ void Foam::caseTemplate::write(const bool overwrite) const
         << "    type    list;" << nl << "    clumps  ( { type " << name_
         << "; position " << rounded(position_).c_str() << "; } );    // [m]" << nl
         << '}' << nl;
+    if (!source_.empty())
+    {
+        // Of rings as of cells two part at the same force, see doc/models/gapModels.md
+        os  << nl << "// Attraction of red cells in plasma" << nl
+            << "// surfaceForces { plasma { type depletion; energy "
+            << (type_.found("membrane") ? "2.67e-6" : "0.14e-6")
+            << "; } }     // [J/m2]" << nl;
+    }
     if (!hasDensity)
     {
         const scalar rho = source_.empty() ? 1000 : 1025;

@@ -1,5 +1,6 @@
 """Force at which two attracting bodies part: of beads Derjaguin's 2 pi R w0, on any mesh and at any
-step; of rings what their shape makes of it."""
+step; of rings and membranes what their shape makes of it. A wall holds a bead that does not roll
+until the shear stress pulls it with the friction times the attraction (O'Neill 1968)."""
 
 import math
 
@@ -13,6 +14,19 @@ results = Results()
 figure, axes = plt.subplots(figsize=(6, 3.6))
 rings = {}
 for r in read("data.csv"):
+    if r["kind"] == "hold":
+        columns = np.genfromtxt(r["history"], delimiter=",", names=True)
+        # The attraction, and the force of the shear stress at the wall, at radius 2 um
+        friction = 0.3*2*math.pi*2e-6*1e-6
+        stress = 1.2e-3*1.2e-3/24e-6*columns["t_s"]/r["ramp_s"]
+        law = friction/(1.7005*6*math.pi*4e-12)
+        name = "wall, %g mesh cells, step %g s: " % (r["mesh_cells"], r["step_s"])
+        results.add(name + "largest force", columns["Fx_N"].max()/friction, "of the law", 1, 0.02,
+                    "Coulomb, Derjaguin")
+        leaves = stress[np.argmax(columns["Ux_m_s"] > 1e-6)]
+        results.add(name + "stress at which the bead leaves", leaves/law, "of the law", 1, 0.05,
+                    "O'Neill 1968")
+        continue
     columns = np.genfromtxt(r["history"], delimiter=",", names=True, dtype=None, encoding="utf-8")
     held, free = (columns[columns["type"] == t] for t in ("held", "body"))
     t = held["t_s"]

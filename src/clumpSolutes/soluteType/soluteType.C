@@ -1,0 +1,69 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "soluteType.H"
+#include "checkedEntries.H"
+
+Foam::soluteType::soluteType(const dictionary& dict, const scalar diffusivity)
+:
+    diffusivity_(getPositiveOrDefault(dict, "diffusivity", diffusivity)),
+    partition_(getPositiveOrDefault(dict, "partition", 1)),
+    source_(getFiniteOrDefault<scalar>(dict, "source", 0)),
+    rate_(getNonNegativeOrDefault(dict, "rate", 0)),
+    maxUptake_(getNonNegativeOrDefault(dict, "maxUptake", 0))
+{
+    checkEntries
+    (
+        dict,
+        {
+            "permeability", "diffusivity", "partition", "initial", "concentration",
+            "source", "rate", "maxUptake", "halfConcentration"
+        }
+    );
+    if (dict.found("initial"))
+    {
+        initial_ = getNonNegative(dict, "initial");
+    }
+    if (dict.found("concentration"))
+    {
+        concentration_ = getNonNegative(dict, "concentration");
+        for (const word key : {"initial", "source", "rate", "maxUptake"})
+        {
+            if (dict.found(key))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entries 'concentration' and '" << key << "': the concentration"
+                    << " inside is kept, and " << key << " would have no effect. Remove"
+                    << " one of them." << exit(FatalIOError);
+            }
+        }
+    }
+    permeability_ = getNonNegativeOrDefault
+    (
+        dict, "permeability", fixed() ? largestEntry : 0
+    );
+    if (maxUptake_ > 0)
+    {
+        halfConcentration_ = getPositive(dict, "halfConcentration");
+    }
+}
+
+
+Foam::scalar Foam::soluteType::conductance
+(
+    const scalar d,
+    const scalar diffusivity,
+    const scalar least
+) const
+{
+    if (impermeable())
+    {
+        return 0;
+    }
+    const scalar outside = max(d, least)/diffusivity;
+    const scalar inside =
+        fixed() ? 0 : max(-d, scalar(0))/(partition_*diffusivity_);
+    return 1/(1/permeability_ + outside + inside);
+}

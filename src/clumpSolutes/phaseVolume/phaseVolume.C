@@ -36,12 +36,6 @@ Foam::phaseVolume::phaseVolume(const fvMesh& mesh, const word& name)
         dimensionedScalar("none", dimless, -1),
         zeroGradientFvPatchScalarField::typeName
     ),
-    flux_
-    (
-        IOobject(name + "Flux", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimVolume/dimTime, Zero)
-    ),
     active_(mesh.nCells(), false)
 {}
 
@@ -123,6 +117,7 @@ Foam::tmp<Foam::volScalarField> Foam::phaseVolume::correct
         dimensionedScalar(dimless, Zero),
         zeroGradientFvPatchScalarField::typeName
     );
+    active_.setSize(mesh_.nCells());
     forAll(active_, celli)
     {
         active_[celli] = volume_[celli] > least || alpha[celli] > 0;
@@ -133,10 +128,21 @@ Foam::tmp<Foam::volScalarField> Foam::phaseVolume::correct
     }
     present.correctBoundaryConditions();
     const surfaceScalarField both(between());
-    flux_ = both*flux;
+    flux_.reset
+    (
+        new surfaceScalarField
+        (
+            IOobject
+            (
+                volume_.name() + "Flux", mesh_.time().timeName(), mesh_,
+                IOobject::NO_READ, IOobject::NO_WRITE, false
+            ),
+            both*flux
+        )
+    );
 
     volScalarField m("shift", present);
-    volScalarField rest("rest", volume_ - dt*fvc::surfaceIntegrate(flux_));
+    volScalarField rest("rest", volume_ - dt*fvc::surfaceIntegrate(*flux_));
     forAll(active_, celli)
     {
         const scalar a = alpha[celli];
@@ -187,7 +193,7 @@ Foam::tmp<Foam::volScalarField> Foam::phaseVolume::correct
         solvers.found(psi.name(), keyType::REGEX)
       ? solvers.subDict(psi.name()) : usual
     );
-    flux_ += size*equation.flux()/dt;
+    *flux_ += size*equation.flux()/dt;
     return tpsi;
 }
 
@@ -215,7 +221,7 @@ Foam::scalarField Foam::phaseVolume::update
         tpsi = correct(alpha, flux);
     }
     volume_.primitiveFieldRef() -=
-        mesh_.time().deltaTValue()*fvc::surfaceIntegrate(flux_)().primitiveField();
+        mesh_.time().deltaTValue()*fvc::surfaceIntegrate(*flux_)().primitiveField();
     volume_.correctBoundaryConditions();
     return change;
 }

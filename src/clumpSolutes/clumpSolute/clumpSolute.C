@@ -5,6 +5,7 @@
 
 #include "clumpSolute.H"
 #include "addToRunTimeSelectionTable.H"
+#include "cellSetOption.H"
 #include "checkedEntries.H"
 #include "FlatOutput.H"
 #include "fvmDiv.H"
@@ -38,6 +39,7 @@ Foam::functionObjects::clumpSolute::clumpSolute
     read(dict);
     if (!functionObject::postProcess)
     {
+        refusePlaces(dict);
         start();
     }
 }
@@ -63,7 +65,7 @@ bool Foam::functionObjects::clumpSolute::read(const dictionary& dict)
         {
             if (!cloud().typeIds().found(e.keyword()))
             {
-                FatalIOErrorInFunction(types)
+                FatalIOErrorInFunction(e.isDict() ? e.dict() : dict)
                     << "Entry '" << e.keyword() << "' is no type of clumps. Valid: "
                     << flatOutput(cloud().typeIds().sortedToc()) << exit(FatalIOError);
             }
@@ -73,18 +75,20 @@ bool Foam::functionObjects::clumpSolute::read(const dictionary& dict)
         const word name(dict.getOrDefault<word>("field", "c"));
         if (!outer_.valid())
         {
-            outer_.reset
+            IOobject file
             (
-                new volScalarField
-                (
-                    IOobject
-                    (
-                        name, mesh_.time().timeName(), mesh_,
-                        IOobject::MUST_READ, IOobject::NO_WRITE
-                    ),
-                    mesh_
-                )
+                name, mesh_.time().timeName(), mesh_,
+                IOobject::MUST_READ, IOobject::NO_WRITE
             );
+            if (!file.typeHeaderOk<volScalarField>(true))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry 'field' is " << name << ", but the start time "
+                    << mesh_.time().timeName() << " has no volScalarField of this name:"
+                    << " the concentration outside, with its conditions at the patches."
+                    << exit(FatalIOError);
+            }
+            outer_.reset(new volScalarField(file, mesh_));
         }
     }
     return fvMeshFunctionObject::read(dict) && table_.read(dict);
@@ -151,6 +155,48 @@ void Foam::functionObjects::clumpSolute::start()
     begin(*inner_, initial);
     begin(*outerContent_, outside_->volume()*(*outer_));
     begin(*innerContent_, inside_->volume()*(*inner_));
+}
+
+
+void Foam::functionObjects::clumpSolute::refusePlaces(const dictionary& dict) const
+{
+    if (!cloud().effects().active("sliding"))
+    {
+        return;
+    }
+    string place;
+    for (const fvPatchScalarField& p : outer_->boundaryField())
+    {
+        const bool same =
+            p.coupled() || p.type() == "zeroGradient"
+         || (p.type() == "fixedValue" && gMax(p) - gMin(p) <= SMALL*gMax(mag(p)()));
+        if (!same)
+        {
+            place = "the condition of patch " + p.patch().name();
+        }
+    }
+    PtrList<fv::option>& options = fv::options::New(mesh_);
+    for (fv::option& option : options)
+    {
+        const auto* part = isA<fv::cellSetOption>(option)
+          ? &refCast<const fv::cellSetOption>(option) : nullptr;
+        const bool all = part && part->cells().size() == mesh_.nCells();
+        if
+        (
+            option.applyToField(outer_->name()) >= 0
+         && !returnReduce(all, andOp<bool>())
+        )
+        {
+            place = "the source " + option.name() + " of fvOptions";
+        }
+    }
+    if (!place.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The mesh slides along with the clumps, and " << place.c_str()
+            << " may depend on the place. Set effects { sliding off; } in clumpProperties."
+            << exit(FatalIOError);
+    }
 }
 
 

@@ -4,7 +4,7 @@
 -------------------------------------------------------------------------------
 Description
     The models of this folder, each as a user's own library has it: what they are for.
-    The tests of their families have cubicBond, constantTension and smoothFraction, too.
+    The tests of their families have cubicBond, hookeSheet and smoothFraction, too.
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
@@ -170,23 +170,20 @@ TEST_CASE("examples: a contact law gives membranes the pressure of the layer",
 }
 
 
-TEST_CASE("examples: a constant tension is balanced by the pressure of Laplace",
-    "[examples][membrane][serial]")
+TEST_CASE("examples: a sheet of Hooke has its moduli", "[examples][membrane][serial]")
 {
-    // Of a surface that is scaled, the area grows with the square of the size; in a sphere
-    // the force of the tension is that of the pressure 2 s/R
-    const testMembrane m
-    (
-        "a { type constantTension; tension 0.3; }",
-        "type icosphere; radius 2; subdivisions 3;"
-    );
-    const pointField& x = m.type.centres();
-    const vectorField f(m.mechanics.forces(x));
-    const scalar area = m.type.surface().area(x);
-    CHECK(sum(x & f) == Approx(-2*0.3*area));
-
-    const vectorField inwards(-0.3*m.type.surface().areaVectors(x));
-    CHECK(Foam::sqrt(sum(magSqr(f - inwards))/sum(magSqr(inwards))) < 0.03);
+    // Stretched alike in all directions, with the tension T = Gs (1 + nu)/(1 - nu) (l^2 - 1):
+    // of a surface that is scaled, the area grows with the square of the size
+    const testMembrane m("a { type hookeSheet; shearModulus 2; poissonRatio 0.3; }");
+    for (const scalar stretch : {0.9, 1.2})
+    {
+        const pointField x(stretch*m.type.centres());
+        const scalar T = 2*1.3/0.7*(sqr(stretch) - 1);
+        CHECK
+        (
+            sum(x & m.mechanics.forces(x)) == Approx(-2*T*m.type.surface().area(x))
+        );
+    }
 }
 
 

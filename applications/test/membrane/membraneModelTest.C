@@ -53,7 +53,8 @@ TEST_CASE("membrane: forces are the gradient of the energy", "[membrane][serial]
         "a { type neoHookean; shearModulus 2; }",
         "a { type skalak; shearModulus 2; areaRatio 3; }",
         "a { type surfaceArea; areaModulus 5; }",
-        "a { type constantTension; tension 2; }",
+        "a { type surfaceTension; tension 2; }",
+        "a { type hookeSheet; shearModulus 2; poissonRatio 0.3; }",
         "a { type triangleArea; areaModulus 5; }",
         "a { type springNetwork; shearModulus 2; }",
         "a { type springNetwork; shearModulus 2; largestStretch 1.1; }",
@@ -132,7 +133,8 @@ TEST_CASE("membrane: exact second derivatives", "[membrane][serial]")
         "a { type neoHookean; shearModulus 2; }",
         "a { type skalak; shearModulus 2; areaRatio 3; }",
         "a { type surfaceArea; areaModulus 5; }",
-        "a { type constantTension; tension 2; }",
+        "a { type surfaceTension; tension 2; }",
+        "a { type hookeSheet; shearModulus 2; poissonRatio 0.3; }",
         "a { type triangleArea; areaModulus 5; }",
         "a { type springNetwork; shearModulus 2; }"
     );
@@ -178,7 +180,8 @@ TEST_CASE("membrane: the tangent leaves out what is negative", "[membrane][seria
         "a { type neoHookean; shearModulus 2; }",
         "a { type skalak; shearModulus 2; areaRatio 3; }",
         "a { type surfaceArea; areaModulus 5; }",
-        "a { type constantTension; tension 2; }",
+        "a { type surfaceTension; tension 2; }",
+        "a { type hookeSheet; shearModulus 2; poissonRatio 0.3; }",
         "a { type triangleArea; areaModulus 5; }",
         "a { type springNetwork; shearModulus 2; }"
     );

@@ -13,7 +13,7 @@ Foam::membraneMechanics::membraneMechanics
 )
 :
     type_(type),
-    stressFree_(stressFreeState(type, getDict(dict, "membrane")).positions()),
+    stressFree_(stressFreeState(type, dict).positions()),
     neighbourOrder_(1)
 {
     const dictionary& models = getDict(dict, "membrane");
@@ -111,6 +111,19 @@ Foam::scalar Foam::membraneMechanics::add
         energy += layer_->addRate(x, *start, gradient, tangent);
     }
     return energy;
+}
+
+
+void Foam::membraneMechanics::addTensions
+(
+    const pointField& x,
+    symmTensorField& tensions
+) const
+{
+    for (const membraneModel& model : models_)
+    {
+        model.addTensions(x, tensions);
+    }
 }
 
 

@@ -8,12 +8,16 @@
 #include "buckledPart.H"
 #include "checkedEntries.H"
 #include "foamCompat.H"
+#include "membraneTensions.H"
 #include "surfaceSpacing.H"
 
 namespace
 {
     //- Part of the surface above which a membrane counts as buckled
     constexpr Foam::scalar buckles = 0.02;
+
+    //- Compression at rest that counts, over the stiffness in shear per area
+    constexpr Foam::scalar compresses = 0.01;
 
     //- Second derivative of the energy of a membrane by the logarithmic strain of a pure
     //  shear across x, y or z, their mean over its volume [Pa]
@@ -88,6 +92,7 @@ void Foam::membranes::read(const label typei, const dictionary& dict)
     if (!steps_[typei].mechanics().bends())
     {
         unbent_.insert(typei);
+        warnOfCompression(typei);
     }
 }
 
@@ -284,17 +289,48 @@ void Foam::membranes::warnOfBuckling(const Cloud<clumpParcel>& clumps)
         }
         unbent_.erase(typei);
 
-        // Against a compression of a fifth of the shear modulus, in waves of six edges
-        const scalar enough =
-            0.1*steps_[typei].mechanics().shearStiffness()/type.surface().nNodes();
         WarningInFunction
             << "A membrane of '" << type.name() << "' is buckled in waves as short as"
             << " its triangles, over " << 100*parts[typei] << " % of its surface at"
             << " time " << mesh_.time().timeName() << ". It is under compression and"
             << " nothing resists its bending, so that its shape depends on its"
             << " triangles. Give its membrane, for example,  bending { type helfrich;"
-            << " bendingStiffness " << enough << "; }" << endl;
+            << " bendingStiffness " << enoughBending(typei) << "; }" << endl;
     }
+}
+
+
+Foam::scalar Foam::membranes::enoughBending(const label typei) const
+{
+    return
+        0.1*steps_[typei].mechanics().shearStiffness()
+       /types_[typei].surface().nNodes();
+}
+
+
+void Foam::membranes::warnOfCompression(const label typei) const
+{
+    const clumpType& type = types_[typei];
+    const membraneMechanics& mechanics = steps_[typei].mechanics();
+    const membraneTensions state(mechanics, type.centres());
+    const scalar modulus = mechanics.shearStiffness()/sum(state.areas());
+    const scalar part = state.partBelow(-compresses*modulus);
+    if (part <= buckles)
+    {
+        return;
+    }
+    scalar least = 0;
+    for (const Pair<scalar>& T : state.tensions())
+    {
+        least = min(least, T.second());
+    }
+    WarningInFunction
+        << "The membrane of '" << type.name() << "' is under compression at rest, over "
+        << 100*part << " % of its surface and up to " << -least << " N/m, and nothing"
+        << " resists its bending: it buckles in waves as short as its triangles. Give it"
+        << " another entry stressFree (scaled with a factor below 1 is under tension), a"
+        << " tension { type surfaceTension; tension " << -least << "; }, or  bending {"
+        << " type helfrich; bendingStiffness " << enoughBending(typei) << "; }" << endl;
 }
 
 

@@ -7,7 +7,7 @@
 #include "checkedEntries.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"
-#include "shape.H"
+#include "surfaceFile.H"
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +52,8 @@ Foam::stressFreeState::stressFreeState
 )
 :
     type_(type),
-    dict_(dict)
+    dict_(getDict(dict, "membrane")),
+    scale_(getPositiveOrDefault(dict, "scale", 1))
 {}
 
 
@@ -70,7 +71,7 @@ Foam::scalar Foam::stressFreeState::aspectRatio(const scalar reducedVolume)
 }
 
 
-Foam::pointField Foam::stressFreeState::unitNodes() const
+bool Foam::stressFreeState::unitNodes(pointField& unit) const
 {
     const pointField& x = type_.centres();
     for (label n = 1, nNodes = 42; nNodes <= x.size(); ++n, nNodes = 4*nNodes - 6)
@@ -86,26 +87,45 @@ Foam::pointField Foam::stressFreeState::unitNodes() const
         const auto sphere(clumpShapes::shape::New(dict));
         if (sphere->triangles() != type_.surface().triangles())
         {
-            break;
+            return false;
         }
+        unit = sphere->centres()/mag(sphere->centres());
 
         // Of revolution: every node keeps its angle around the axis
         scalar off = 0;
         forAll(x, i)
         {
-            const vector& u = sphere->centres()[i];
-            off = max(off, mag(x[i].x()*u.y() - x[i].y()*u.x()));
+            off = max(off, mag(x[i].x()*unit[i].y() - x[i].y()*unit[i].x()));
         }
-        if (off < 1e-6*type_.reach())
-        {
-            return sphere->centres()/mag(sphere->centres());
-        }
+        return off < 1e-6*type_.reach();
     }
-    FatalIOErrorInFunction(dict_)
-        << "Entry 'stressFree': a sphere or spheroid is known for the shapes icosphere"
-        << " and biconcave only; the type " << type_.name() << " has another one, which"
-        << " can be free of stress itself: type shape." << exit(FatalIOError);
-    return pointField();
+    return false;
+}
+
+
+Foam::pointField Foam::stressFreeState::directions() const
+{
+    const closedSurface& surface = type_.surface();
+    const pointField& x = type_.centres();
+    const vectorField d(x - surface.centroid(x));
+    const pointField unit(d/max(mag(d), VSMALL));
+
+    // One to one where no triangle is turned over, and the sphere is covered once
+    bool once =
+        surface.volume(unit) <= constant::mathematical::pi*4.0/3.0;
+    for (const triFace& t : surface.triangles())
+    {
+        once = once && (unit[t[0]] & (unit[t[1]] ^ unit[t[2]])) > 0;
+    }
+    if (!once)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'stressFree': from the centroid of the type " << type_.name()
+            << " some directions meet its surface more than once, so that its nodes have"
+            << " no place on a sphere or spheroid. Give the positions of the nodes by a"
+            << " file: type surface." << exit(FatalIOError);
+    }
+    return unit;
 }
 
 
@@ -131,46 +151,92 @@ Foam::scalarField Foam::stressFreeState::parts(const pointField& unit) const
 }
 
 
-Foam::pointField Foam::stressFreeState::spheroid(const scalar reducedVolume) const
+Foam::pointField Foam::stressFreeState::spheroid
+(
+    const scalar reducedVolume,
+    const word& kept
+) const
 {
-    const pointField unit(unitNodes());
-    const scalarField wanted(parts(unit));
     const scalar k = aspectRatio(reducedVolume);
-
-    scalarField r(nPoints + 1);
-    scalarField z(nPoints + 1);
-    forAll(r, n)
+    pointField unit;
+    pointField result;
+    if (unitNodes(unit))
     {
-        const scalar angle = constant::mathematical::pi*n/nPoints;
-        r[n] = n == nPoints ? 0 : Foam::sin(angle);
-        z[n] = k*Foam::cos(angle);
-    }
-    const scalarField areas(areasUpTo(r, z));
+        const scalarField wanted(parts(unit));
+        scalarField r(nPoints + 1);
+        scalarField z(nPoints + 1);
+        forAll(r, n)
+        {
+            const scalar angle = constant::mathematical::pi*n/nPoints;
+            r[n] = n == nPoints ? 0 : Foam::sin(angle);
+            z[n] = k*Foam::cos(angle);
+        }
+        const scalarField areas(areasUpTo(r, z));
 
-    pointField result(unit.size());
-    forAll(result, i)
-    {
-        const scalar area = wanted[i]*areas.last();
-        label n = std::upper_bound(areas.begin(), areas.end(), area) - areas.begin();
-        n = min(max(n, label(1)), nPoints);
-        const scalar part =
-            min
+        result.setSize(unit.size());
+        forAll(result, i)
+        {
+            const scalar area = wanted[i]*areas.last();
+            label n =
+                std::upper_bound(areas.begin(), areas.end(), area) - areas.begin();
+            n = min(max(n, label(1)), nPoints);
+            const scalar width = max(areas[n] - areas[n - 1], VSMALL);
+            const scalar part =
+                min(max((area - areas[n - 1])/width, scalar(0)), scalar(1));
+            const scalar distance = (1 - part)*r[n - 1] + part*r[n];
+            const scalar angle = Foam::atan2(unit[i].y(), unit[i].x());
+            result[i] = vector
             (
-                max((area - areas[n - 1])/max(areas[n] - areas[n - 1], VSMALL), scalar(0)),
-                scalar(1)
+                distance*Foam::cos(angle),
+                distance*Foam::sin(angle),
+                (1 - part)*z[n - 1] + part*z[n]
             );
-        const scalar distance = (1 - part)*r[n - 1] + part*r[n];
-        const scalar angle = Foam::atan2(unit[i].y(), unit[i].x());
-        result[i] = vector
-        (
-            distance*Foam::cos(angle),
-            distance*Foam::sin(angle),
-            (1 - part)*z[n - 1] + part*z[n]
-        );
+        }
+    }
+    else
+    {
+        result = cmptMultiply(vector(1, 1, k), directions());
     }
     const closedSurface& surface = type_.surface();
-    return
-        Foam::sqrt(surface.area(type_.centres())/surface.area(result))*result;
+    const pointField& x = type_.centres();
+    const scalar factor =
+        kept == "volume"
+      ? Foam::cbrt(surface.volume(x)/surface.volume(result))
+      : Foam::sqrt(surface.area(x)/surface.area(result));
+    return factor*result;
+}
+
+
+Foam::pointField Foam::stressFreeState::ofFile(const dictionary& dict) const
+{
+    const clumpShapes::surfaceFile free(dict);
+
+    // Turned outwards, as those of the shape. Its nodes may have other numbers: the corners
+    // of the triangles say which is which
+    const closedSurface surface(free.centres(), free.triangles(), dict);
+    const List<triFace>& theirs = surface.triangles();
+    const List<triFace>& own = type_.surface().triangles();
+    labelList places(type_.size(), -1);
+    bool same = theirs.size() == own.size() && surface.nNodes() == type_.size();
+    for (label n = 0; same && n < own.size(); ++n)
+    {
+        forAll(own[n], k)
+        {
+            label& place = places[own[n][k]];
+            place = place < 0 ? theirs[n][k] : place;
+            same = same && place == theirs[n][k];
+        }
+    }
+    if (!same)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'file': the surface has other triangles than the shape of the type "
+            << type_.name() << ", " << theirs.size() << " of " << surface.nNodes()
+            << " nodes instead of " << own.size() << " of " << type_.size()
+            << ", or in another order. Write it with the triangles of the shape, in their"
+            << " order." << exit(FatalIOError);
+    }
+    return scale_*pointField(free.centres(), places);
 }
 
 
@@ -181,19 +247,45 @@ Foam::pointField Foam::stressFreeState::positions() const
         return type_.centres();
     }
     const dictionary& dict = getDict(dict_, "stressFree");
-    checkEntries(dict, {"type", "reducedVolume"});
     const word form(getEntry<word>(dict, "type"));
-    const HashTable<label> choices({{"shape", 0}, {"sphere", 1}, {"spheroid", 2}});
+    const HashTable<wordList> choices
+    ({
+        {"shape", {}},
+        {"scaled", {"factor"}},
+        {"sphere", {"keep"}},
+        {"spheroid", {"reducedVolume", "keep"}},
+        {"surface", {"file", "scale"}}
+    });
     if (!choices.found(form))
     {
         FatalIOErrorInLookup(dict, "type", form, choices) << exit(FatalIOError);
     }
-    if (form != "spheroid" && dict.found("reducedVolume"))
+    wordList entries({"type"});
+    entries.append(choices[form]);
+    checkEntries(dict, entries);
+
+    if (form == "scaled")
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'reducedVolume' is that of the type spheroid." << exit(FatalIOError);
+        return getBetween(dict, "factor", 0.2, 5)*type_.centres();
     }
-    return
-        form == "shape" ? type_.centres()
-      : spheroid(form == "sphere" ? 1 : getBetween(dict, "reducedVolume", 0.1, 1));
+    if (form == "surface")
+    {
+        return ofFile(dict);
+    }
+    if (form == "shape")
+    {
+        return type_.centres();
+    }
+    const word kept(dict.getOrDefault<word>("keep", "area"));
+    if (kept != "area" && kept != "volume")
+    {
+        FatalIOErrorInLookup
+        (
+            dict, "keep", kept, (HashTable<label>({{"area", 0}, {"volume", 1}}))
+        )   << exit(FatalIOError);
+    }
+    return spheroid
+    (
+        form == "sphere" ? 1 : getBetween(dict, "reducedVolume", 0.1, 1), kept
+    );
 }

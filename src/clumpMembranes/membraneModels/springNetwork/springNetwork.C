@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "springNetwork.H"
+#include "EdgeMap.H"
 
 namespace Foam
 {
@@ -137,4 +138,34 @@ Foam::scalar Foam::membraneModels::springNetwork::add
         }
     }
     return energy;
+}
+
+
+void Foam::membraneModels::springNetwork::addTensions
+(
+    const pointField& x,
+    symmTensorField& tensions
+) const
+{
+    EdgeMap<label> springs(2*lengths_.size());
+    forAll(lengths_, e)
+    {
+        const closedSurface::hinge& h = surface_.hinges()[e];
+        springs.insert(edge(h.i, h.j), e);
+    }
+    forAll(tensions, n)
+    {
+        const triFace& t = surface_.triangles()[n];
+        const scalar area = max(t.mag(x), VSMALL);
+        forAll(t, k)
+        {
+            const edge nodes(t[k], t[t.fcIndex(k)]);
+            const label e = springs[nodes];
+            const vector along(nodes.vec(x));
+            const scalar length = max(mag(along), SMALL*lengths_[e]);
+            const scalar force =
+                energies_[e]*spring(length/lengths_[e])[1]/lengths_[e];
+            tensions[n] += 0.5*force/(length*area)*sqr(along);
+        }
+    }
 }

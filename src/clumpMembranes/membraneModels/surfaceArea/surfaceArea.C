@@ -51,6 +51,33 @@ Foam::scalar Foam::membraneModels::surfaceArea::add
 }
 
 
+void Foam::membraneModels::surfaceArea::addTensions
+(
+    const pointField& x,
+    symmTensorField& tensions
+) const
+{
+    const scalar tension = modulus_*(surface_.area(x) - area0_)/area0_;
+    addIsotropic(surface_, x, tension, tensions);
+}
+
+
+void Foam::membraneModels::surfaceArea::addIsotropic
+(
+    const closedSurface& surface,
+    const pointField& x,
+    const scalar tension,
+    symmTensorField& tensions
+)
+{
+    forAll(tensions, n)
+    {
+        tensions[n] +=
+            tension*(symmTensor(I) - sqr(surface.triangles()[n].unitNormal(x)));
+    }
+}
+
+
 void Foam::membraneModels::surfaceArea::addStretch
 (
     const closedSurface& surface,

@@ -44,3 +44,13 @@ Foam::scalar Foam::membraneModels::surfaceTension::add
     }
     return tension_*surface_.area(x);
 }
+
+
+void Foam::membraneModels::surfaceTension::addTensions
+(
+    const pointField& x,
+    symmTensorField& tensions
+) const
+{
+    surfaceArea::addIsotropic(surface_, x, tension_, tensions);
+}

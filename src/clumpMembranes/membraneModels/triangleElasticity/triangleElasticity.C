@@ -190,6 +190,31 @@ Foam::scalar Foam::triangleElasticity::add
 }
 
 
+void Foam::triangleElasticity::addTensions
+(
+    const pointField& x,
+    symmTensorField& tensions
+) const
+{
+    forAll(rest_, n)
+    {
+        const rest& r = rest_[n];
+        const triFace& t = surface_.triangles()[n];
+        const vector a(x[t[1]] - x[t[0]]);
+        const vector b(x[t[2]] - x[t[0]]);
+        const Pair<scalar> I(invariants(r, a, b));
+        const response w(law(I.first(), I.second()));
+        const vector normal(a ^ b);
+        const scalar q0 = 4*sqr(r.area);
+
+        // Derivatives of the energy per area at rest by the edges
+        const vector ga(2*w.W1*(r.aa*a + r.ab*b) + 2*w.W2/q0*(b ^ normal));
+        const vector gb(2*w.W1*(r.ab*a + r.bb*b) - 2*w.W2/q0*(a ^ normal));
+        tensions[n] += 2*r.area/max(mag(normal), VSMALL)*symm(a*ga + b*gb);
+    }
+}
+
+
 Foam::scalar Foam::triangleElasticity::addRelative
 (
     const pointField& from,

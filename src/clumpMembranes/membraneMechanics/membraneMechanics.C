@@ -89,6 +89,21 @@ bool Foam::membraneMechanics::bends() const
 }
 
 
+Foam::scalar Foam::membraneMechanics::bendingEnergy(const pointField& x) const
+{
+    vectorField unused(x.size(), Zero);
+    scalar energy = 0;
+    for (const membraneModel& model : models_)
+    {
+        if (model.bends())
+        {
+            energy += model.add(x, unused, nullptr);
+        }
+    }
+    return energy;
+}
+
+
 Foam::scalar Foam::membraneMechanics::add
 (
     const pointField& x,

@@ -96,16 +96,25 @@ Foam::string Foam::functionObjects::clumpTable::columns
 }
 
 
+const Foam::deformableCloud& Foam::functionObjects::clumpTable::cloud() const
+{
+    return mesh_.lookupObject<deformableCloud>(cloudName_);
+}
+
+
 bool Foam::functionObjects::clumpTable::write()
 {
-    const auto& cloud = mesh_.lookupObject<deformableCloud>(cloudName_);
-
     DynamicList<label> ids;
     DynamicList<string> rows;
-    for (const clumpParcel& p : cloud)
+    for (const clumpParcel& p : cloud())
     {
-        ids.append(p.origId());
-        rows.append(cloud.type(p).name() + row(p, cloud.type(p)));
+        const clumpType& type = cloud().type(p);
+        const string values(row(p, type));
+        if (values.size())
+        {
+            ids.append(p.origId());
+            rows.append(type.name() + values);
+        }
     }
 
     List<List<label>> allIds(Pstream::nProcs());

@@ -187,6 +187,7 @@ Foam::label Foam::clumpInjector::inject
         by.inject
         (
             clumps,
+            count,
             [&](const clumpCandidate& c, const label owner)
             {
                 return add(clumps, c, owner, count, followFlow);

@@ -73,6 +73,7 @@ void Foam::clumpInjections::givenHaematocrit::findRegion()
 Foam::scalar Foam::clumpInjections::givenHaematocrit::due
 (
     const Cloud<clumpParcel>& clumps,
+    const clumpCount&,
     const scalar before
 )
 {

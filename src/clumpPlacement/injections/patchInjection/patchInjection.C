@@ -35,7 +35,12 @@ bool readWeighting(const dictionary& dict)
 }
 
 
-Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
+Foam::patchInjection::patchInjection
+(
+    const dictionary& dict,
+    const site& s,
+    const bool ofTypes
+)
 :
     injection(dict, s),
     patches_(openPatches("patches")),
@@ -45,7 +50,12 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
         s.mesh, s.ghosts, s.types, patches_, around(lines_.box()),
         getNonNegativeOrDefault(dict, "minGap", 0)
     ),
-    fractions_(placement::fractions(dict, s.types, s.typeIds)),
+    fractions_
+    (
+        ofTypes
+      ? placement::fractions(dict, s.types, s.typeIds)
+      : scalarList(s.types.size(), Zero)
+    ),
     byFlux_(readWeighting(dict)),
     nTries_
     (
@@ -83,15 +93,19 @@ Foam::patchInjection::patchInjection(const dictionary& dict, const site& s)
 }
 
 
-Foam::wordList Foam::patchInjection::entries(const wordList& others)
+Foam::wordList Foam::patchInjection::placeEntries(const wordList& others)
 {
-    wordList all
-    ({
-        "patches", "weighting", "nTries", "clumpType", "fractions", "axis",
-        "angle", "seed"
-    });
+    wordList all({"patches", "weighting", "nTries", "axis", "angle", "seed"});
     all.append(others);
     return injection::entries(all);
+}
+
+
+Foam::wordList Foam::patchInjection::entries(const wordList& others)
+{
+    wordList all({"clumpType", "fractions"});
+    all.append(others);
+    return placeEntries(all);
 }
 
 
@@ -305,13 +319,14 @@ void Foam::patchInjection::checkWidth(const label nPlaces)
 void Foam::patchInjection::inject
 (
     Cloud<clumpParcel>& clumps,
+    const clumpCount& count,
     const putAction& action
 )
 {
     findFlows();
     checkFlow();
     const scalar before = due_;
-    due_ = due(clumps, before);
+    due_ = due(clumps, count, before);
     checkDemand(due_ - before);
     label sum = 0;
     while (nWaiting() > 0)

@@ -202,6 +202,7 @@ Foam::List<Foam::clumpCandidate> Foam::clumpInjections::preInlet::leaving
 void Foam::clumpInjections::preInlet::inject
 (
     Cloud<clumpParcel>& clumps,
+    const clumpCount&,
     const putAction& action
 )
 {

@@ -177,6 +177,14 @@ void Foam::clumpCount::announce()
 }
 
 
+Foam::label Foam::clumpCount::left(const word& patch, const word& type) const
+{
+    return
+        file_.subOrEmptyDict("left").subOrEmptyDict(patch)
+       .getOrDefault<label>(type, 0);
+}
+
+
 void Foam::clumpCount::endStep(const label nHere)
 {
     const labelVector sums

@@ -55,8 +55,8 @@ void Foam::gapForces::addLaw
 )
 {
     autoPtr<surfaceLaw> added(new surfaceLaw);
-    added->ofTypes = boolList(nTypes_*nTypes_, false);
-    added->ofPatches = boolList(nTypes_*nPatches_, false);
+    added->ofTypes.setSize(nTypes_*nTypes_, false);
+    added->ofPatches.setSize(nTypes_*nPatches_, false);
 
     dictionary own(dict);
     own.remove("types");

@@ -80,6 +80,7 @@ struct device
         source->inject
         (
             *clumps,
+            clumpCount(*mesh, types, "device"),
             [&](const clumpCandidate& c, const label owner)
             {
                 if (owner == Pstream::myProcNo())

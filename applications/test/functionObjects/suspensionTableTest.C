@@ -424,3 +424,114 @@ TEST_CASE("tables: a channel of another section is refused", "[tables]")
         tableOf<functionObjects::apparentViscosity>("section slit; drive shear;")
     );
 }
+
+
+TEST_CASE("tables: of some types of clumps only", "[tables]")
+{
+    // 2 um and 8.5 um above the lower wall, 3.5 um below the upper one
+    const scalar r = 1e-6, R = 4e-6;
+    const flowOf flow([](const scalar) { return 1e-3; });
+    openCloud cloud
+    (
+        testMesh(),
+        dictOf
+        (
+            "types { small { shape { type chain; nSpheres 1; sphereRadius 1e-6; }"
+            " density 1000; } large { shape { type chain; nSpheres 1;"
+            " sphereRadius 4e-6; } density 1000; } }"
+            "placement { type list; clumps ("
+            "{ type small; position (19.9e-6 3e-6 5e-6); velocity (2e-3 0 0); }"
+            "{ type large; position (12e-6 12.5e-6 12e-6); velocity (1e-3 0 0); }"
+            "{ type small; position (3e-6 4e-6 15e-6); velocity (4e-3 0 0); }); }"
+            "contactModel { type hertz; reducedModulus 1000; restitution 1; }"
+            "wallContactModel { type hertz; reducedModulus 1000; restitution 1; }"
+            "effects { fluid off; gravity off; }"
+        )
+    );
+    const scalar V = 4*pi*pow3(r)/3, W = 4*pi*pow3(R)/3;
+
+    for (const char* entry : {"types (small);", "types (large small);", ""})
+    {
+        const string types(entry);
+        const bool both = types != "types (small);";
+        INFO(types);
+        for (const tableRow& row : tableOf<functionObjects::haematocrit>(types))
+        {
+            CHECK(row.at("Ht") == Approx((2*V + (both ? W : 0))/8e-15).epsilon(1e-4));
+            CHECK(row.at("Ht_small") == Approx(2*V/8e-15).epsilon(1e-4));
+            CHECK(row.at("Uc_small") == Approx(3e-3).epsilon(1e-4));
+            CHECK(row.at("Hd_small") == Approx(6*V/8e-15).epsilon(1e-4));
+            CHECK(row.count("Ht_large") == both);
+            CHECK
+            (
+                row.at("Uc")
+             == Approx(both ? (6e-3*V + 1e-3*W)/(2*V + W) : 3e-3).epsilon(1e-4)
+            );
+        }
+
+        const auto rows
+        (
+            tableOf<functionObjects::clumpProfiles>("section slit; bins 4; " + types)
+        );
+        for (size_t k = 0; k < rows.size(); ++k)
+        {
+            CHECK(rows[k].at("n_small") == (k == 0 ? 2 : 0));
+            CHECK
+            (
+                rows[k].at("H_small") == Approx(k == 0 ? 2*V/2e-15 : 0).epsilon(0.01)
+            );
+            CHECK(rows[k].count("n_large") == both);
+            if (both)
+            {
+                CHECK(rows[k].at("n_large") == (k == 2));
+                CHECK
+                (
+                    rows[k].at("H")
+                 == Approx(rows[k].at("H_small") + rows[k].at("H_large"))
+                );
+            }
+            else
+            {
+                CHECK(rows[k].at("H") == Approx(rows[k].at("H_small")));
+                CHECK(std::isnan(rows[k].at("Uc")) == (k > 0));
+            }
+        }
+
+        // Half of the discs of the small ones lies towards the lower wall, beyond the middle;
+        // the large one lies across the middle
+        for
+        (
+            const tableRow& row : tableOf<functionObjects::cellFreeLayer>
+            (
+                "section slit; stations 4000; " + types
+            )
+        )
+        {
+            const scalar h = 10e-6, L = 20e-6;
+            const scalar small =
+                h - 0.5*((7e-6 + 6e-6)*2*r + pi*sqr(r))/L;
+            CHECK(row.at("layer_small") == Approx(small).epsilon(1e-3));
+            CHECK(row.at("least") == Approx(2e-6).epsilon(1e-3));
+            CHECK(row.count("layer_large") == both);
+            if (both)
+            {
+                CHECK(row.at("layer_large") < h);
+                CHECK(row.at("layer") < row.at("layer_large"));
+                CHECK(row.at("layer") < row.at("layer_small"));
+            }
+            else
+            {
+                CHECK(row.at("layer") == Approx(row.at("layer_small")));
+            }
+        }
+    }
+    for (const tableRow& row : tableOf<functionObjects::cellFreeLayer>
+        ("section slit; stations 4000; types (large);"))
+    {
+        CHECK(row.at("least") == Approx(3.5e-6).epsilon(1e-3));
+        CHECK(row.at("layer") == Approx(row.at("layer_large")));
+    }
+    CHECK_THROWS(tableOf<functionObjects::cellFreeLayer>("section slit; types (red);"));
+    CHECK_THROWS(tableOf<functionObjects::clumpProfiles>("section slit; types (red);"));
+    CHECK_THROWS(tableOf<functionObjects::haematocrit>("types (red);"));
+}

@@ -24,7 +24,7 @@ Foam::functionObjects::cellFreeLayer::cellFreeLayer
     const dictionary& dict
 )
 :
-    suspensionTable(name, runTime, dict, typeName, {"section", "stations"}),
+    suspensionTable(name, runTime, dict, typeName, {"section", "stations", "types"}),
     nStations_(100)
 {
     read(dict);
@@ -36,6 +36,7 @@ bool Foam::functionObjects::cellFreeLayer::read(const dictionary& dict)
     const bool good = suspensionTable::read(dict);
     section_ = crossSection(dict, axes(), mesh_);
     nStations_ = getNumberOrDefault(dict, "stations", 100, 1, 1000000);
+    types_ = typeSelection(dict, mesh_, cloudName());
     return good;
 }
 
@@ -43,11 +44,18 @@ bool Foam::functionObjects::cellFreeLayer::read(const dictionary& dict)
 Foam::functionObjects::tableHeader
 Foam::functionObjects::cellFreeLayer::header() const
 {
-    return
-        tableHeader("Width of the layer at the walls without clumps")
+    tableHeader result("Width of the layer at the walls without clumps");
+    result
        .add("layer", "m").add("deviation", "m").add("least", "m")
        .explain("time layer deviation least", "mean distance from the walls to the edge of"
             " the clumps over stations and directions, its standard deviation, the least");
+    for (const label i : types_.numbers(cloud()))
+    {
+        const word& type = cloud().types()[i].name();
+        result.add("layer_" + type, "m");
+        result.explain("layer_" + type, "layer of this type of clump and its pieces alone");
+    }
+    return result;
 }
 
 
@@ -128,10 +136,16 @@ void Foam::functionObjects::cellFreeLayer::addMembrane
 bool Foam::functionObjects::cellFreeLayer::write()
 {
     const List<vector> directions(section_.towardsWalls());
-    scalarList edges(directions.size()*nStations_, Zero);
+    const label n = directions.size()*nStations_;
+    scalarList allEdges(n*cloud().nTypes(), Zero);
     for (const clumpParcel& p : cloud())
     {
+        if (!types_.holds(cloud(), p))
+        {
+            continue;
+        }
         const clumpType& type = cloud().type(p);
+        SubList<scalar> edges(allEdges, n, n*cloud().wholeType(p));
         pointField x(p.centres());
         for (point& c : x)
         {
@@ -147,16 +161,26 @@ bool Foam::functionObjects::cellFreeLayer::write()
             addSphere(x[i], type.radii()[i], directions, edges);
         }
     }
-    Pstream::listCombineGather(edges, maxEqOp<scalar>());
+    Pstream::listCombineGather(allEdges, maxEqOp<scalar>());
 
     if (Pstream::master())
     {
-        const scalarField widths(section_.half() - edges);
-        const scalar layer = average(widths);
-        writeRow
-        ({
-            layer, Foam::sqrt(average(sqr(widths - layer))), min(widths)
-        });
+        scalarField widths(n, section_.half());
+        DynamicList<scalar> row(3);
+        row.setSize(3);
+        for (const label type : types_.numbers(cloud()))
+        {
+            const scalarField ofType
+            (
+                section_.half() - scalarField(SubList<scalar>(allEdges, n, n*type))
+            );
+            widths = min(widths, ofType);
+            row.append(average(ofType));
+        }
+        row[0] = average(widths);
+        row[1] = Foam::sqrt(average(sqr(widths - row[0])));
+        row[2] = min(widths);
+        writeRow(row);
     }
 
     return true;

@@ -25,7 +25,7 @@ Foam::functionObjects::clumpProfiles::clumpProfiles
     const dictionary& dict
 )
 :
-    suspensionTable(name, runTime, dict, typeName, {"section", "bins"}),
+    suspensionTable(name, runTime, dict, typeName, {"section", "bins", "types"}),
     nBins_(10)
 {
     read(dict);
@@ -37,6 +37,7 @@ bool Foam::functionObjects::clumpProfiles::read(const dictionary& dict)
     const bool good = suspensionTable::read(dict);
     section_ = crossSection(dict, axes(), mesh_);
     nBins_ = getNumberOrDefault(dict, "bins", 10, 1, 10000);
+    types_ = typeSelection(dict, mesh_, cloudName());
     return good;
 }
 
@@ -52,11 +53,12 @@ Foam::functionObjects::clumpProfiles::header() const
        .explain("H", "volume of the clumps in the bin over that of the bin")
        .explain("U Uc", "mean velocity along the flow of fluid and clumps, and of the"
             " clumps in the bin; nan where there are none");
-    for (label i = 0; i < cloud().nTypes(); ++i)
+    for (const label i : types_.numbers(cloud()))
     {
-        const clumpType& type = cloud().types()[i];
-        result.add("H_" + type.name());
-        result.explain("H_" + type.name(), "H of this type of clump and its pieces");
+        const word& type = cloud().types()[i].name();
+        result.add("H_" + type).add("n_" + type);
+        result.explain("H_" + type, "H of this type of clump and its pieces")
+           .explain("n_" + type, "number of them with their centre of mass in the bin");
     }
     return result;
 }
@@ -150,8 +152,8 @@ bool Foam::functionObjects::clumpProfiles::write()
     const label nTypes = cloud().nTypes();
 
     // By bins: volume and flow of the mesh cells, flow of the clumps, then the
-    // volume of each type
-    scalarList sums((3 + nTypes)*nBins_, Zero);
+    // volume and number of each type
+    scalarList sums((3 + 2*nTypes)*nBins_, Zero);
     const auto part = [&](const label k)
     {
         return SubList<scalar>(sums, nBins_, k*nBins_);
@@ -170,8 +172,15 @@ bool Foam::functionObjects::clumpProfiles::write()
     SubList<scalar> flows(part(2));
     for (const clumpParcel& p : cloud())
     {
-        SubList<scalar> volumes(part(3 + cloud().wholeType(p)));
+        if (!types_.holds(cloud(), p))
+        {
+            continue;
+        }
+        const label type = 3 + 2*cloud().wholeType(p);
+        SubList<scalar> volumes(part(type)), numbers(part(type + 1));
         addClump(p, volumes, flows);
+        const vector x(section_.local(p.centre(cloud().type(p))));
+        numbers[bin(x.x(), x.y())] += 1;
     }
     sumUp(sums);
 
@@ -182,13 +191,15 @@ bool Foam::functionObjects::clumpProfiles::write()
         {
             const scalar binVolume =
                 section_.volumeTo((k + 1)*width) - section_.volumeTo(k*width);
-            scalarList row(5 + nTypes);
+            DynamicList<scalar> row(5);
+            row.setSize(5);
             scalar volume = 0;
-            for (label type = 0; type < nTypes; ++type)
+            for (const label type : types_.numbers(cloud()))
             {
-                const scalar V = sums[(3 + type)*nBins_ + k];
+                const scalar V = sums[(3 + 2*type)*nBins_ + k];
                 volume += V;
-                row[5 + type] = V/binVolume;
+                row.append(V/binVolume);
+                row.append(sums[(4 + 2*type)*nBins_ + k]);
             }
             row[0] = k;
             row[1] = (k + 0.5)*width;

@@ -23,9 +23,17 @@ Foam::functionObjects::haematocrit::haematocrit
     const dictionary& dict
 )
 :
-    suspensionTable(name, runTime, dict, typeName)
+    suspensionTable(name, runTime, dict, typeName, {"types"})
 {
     read(dict);
+}
+
+
+bool Foam::functionObjects::haematocrit::read(const dictionary& dict)
+{
+    const bool good = suspensionTable::read(dict);
+    types_ = typeSelection(dict, mesh_, cloudName());
+    return good;
 }
 
 
@@ -41,13 +49,14 @@ Foam::functionObjects::haematocrit::header() const
             " the mesh")
        .explain("Ub Uc", "mean velocity of fluid and clumps, and of the clumps, along the"
             " flow");
-    for (label i = 0; i < cloud().nTypes(); ++i)
+    for (const label i : types_.numbers(cloud()))
     {
-        const clumpType& type = cloud().types()[i];
-        result.add("Ht_" + type.name()).add("Hd_" + type.name());
+        const word& type = cloud().types()[i].name();
+        result.add("Ht_" + type).add("Hd_" + type).add("Uc_" + type, "m/s");
         result.explain
         (
-            "Ht_" + type.name() + " Hd_" + type.name(), "of this type of clump and its pieces"
+            "Ht_" + type + " Hd_" + type + " Uc_" + type,
+            "of this type of clump and its pieces"
         );
     }
     return result;
@@ -65,6 +74,10 @@ bool Foam::functionObjects::haematocrit::write()
     scalarList sums(first + 2*clumps.nTypes(), Zero);
     for (const clumpParcel& p : clumps)
     {
+        if (!types_.holds(clumps, p))
+        {
+            continue;
+        }
         const clumpType& type = clumps.type(p);
         const scalar V = type.nominalVolume();
         sums[3] += type.volume()*type.relativeVolume(p.state().x);
@@ -88,13 +101,16 @@ bool Foam::functionObjects::haematocrit::write()
         const scalar flow = mag(sums[1]) > 0.5*sums[2] ? sums[1] : 0;
         scalar volume = 0;
         scalar ofClumps = 0;
-        scalarList row(6 + sums.size() - first);
-        for (label k = first; k < sums.size(); k += 2)
+        DynamicList<scalar> row(6);
+        row.setSize(6);
+        for (const label i : types_.numbers(clumps))
         {
+            const label k = first + 2*i;
             volume += sums[k];
             ofClumps += sums[k + 1];
-            row[6 + k - first] = sums[k]/sums[0];
-            row[6 + k - first + 1] = ratio(sums[k + 1], flow);
+            row.append(sums[k]/sums[0]);
+            row.append(ratio(sums[k + 1], flow));
+            row.append(ratio(sums[k + 1], sums[k]));
         }
         row[0] = volume/sums[0];
         row[1] = ratio(ofClumps, flow);

@@ -83,7 +83,8 @@ bool Foam::functionObjects::drivingGradient::write()
            .add("time", "s").addVector("G", "m/s2").addVector("U", "m/s")
            .explain("Gx Gy Gz", "gradient, an acceleration; times the density of the fluid,"
                 " the pressure drop per length")
-           .explain("Ux Uy Uz", "mean velocity of fluid and clumps in the mesh");
+           .explain("Ux Uy Uz", "mean velocity of fluid and clumps in the mesh; times the area"
+                " of a straight duct, the volume flux");
         table_.open(header)
             << time_.timeOutputValue() << '\t'
             << G.x() << '\t' << G.y() << '\t' << G.z() << '\t'

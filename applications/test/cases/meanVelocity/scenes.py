@@ -33,16 +33,27 @@ TYPES = """
     }"""
 
 
-def drive(name, *U):
-    return "%s { type meanVelocityGradient; Ubar (%g %g %g); }\n" % ((name,) + U)
+def drive(name, *U, frequency=0):
+    velocity = "(%g %g %g)" % U
+    if frequency:
+        velocity = ("{ type sine; frequency %g; amplitude 1; scale %s; level (0 0 0); t0 0; }"
+                    % (frequency, velocity))
+    else:
+        velocity += ";"
+    return "%s { type meanVelocityGradient; Ubar %s }\n" % (name, velocity)
 
 
 class Scene:
-    """patches: in x, y and z; held: the components that are compared, with what they must be"""
+    """patches: in x, y and z; held: the components that are compared, with what they must be;
+    frequency: of their sine, if they are not constant"""
 
     def __init__(self, patches="cyclic cyclic cyclic", n=10, dt=1e-4, steps=3, clump="", gravity=0,
-                 liquid="Newtonian", start=0, held={0: SPEED, 1: 0, 2: 0}, sources=1, control=""):
+                 liquid="Newtonian", start=0, held={0: SPEED, 1: 0, 2: 0}, sources=1, control="",
+                 frequency=0):
         self.__dict__.update(locals())
+
+    def wanted(self, d, time):
+        return self.held[d]*(math.sin(2*math.pi*self.frequency*time) if self.frequency else 1)
 
 
 ALONG = {0: SPEED}
@@ -66,6 +77,15 @@ SCENES["adjusted"] = Scene(
     control="#remove adjustTimeStep\nadjustTimeStep yes; maxCo 0.5; maxDeltaT 4e-4;")
 SCENES["outlet"] = Scene("cyclic outlet cyclic", clump="fixed", held=ALONG)
 SCENES["two"] = Scene(clump="fixed", held={0: SPEED, 2: SPEED/3}, sources=2)
+# Forth and back, with a step at the end of which the mean velocity is zero
+SCENES["pulsatingEmpty"] = Scene(WALLS, "3 16 3", 2.5e-3, 8, held={0: SPEED, 2: 0}, frequency=100)
+SCENES["pulsatingOutlet"] = Scene("cyclic outlet cyclic", dt=2.5e-3, steps=5, clump="fixed",
+                                  held=ALONG, frequency=100)
+SCENES["pulsatingTwo"] = Scene(dt=2.5e-3, steps=5, clump="large", held={0: SPEED, 2: SPEED/3},
+                               sources=2, frequency=100)
+SCENES["pulsatingAdjusted"] = Scene(
+    WALLS, dt=1e-4, steps=100, clump="heavy", held={0: SPEED, 2: 0}, frequency=100,
+    control=SCENES["adjusted"].control)
 
 
 def file(path, cls, text):
@@ -109,8 +129,9 @@ def write(case, scene):
         file(case + "/constant/g", "uniformDimensionedVectorField",
              "dimensions [0 1 -2 0 0 0 0]; value (%g 0 0);" % scene.gravity)
     file(case + "/constant/fvOptions", "dictionary",
-         drive("a", scene.held[0], 0, 0)
-         + (drive("b", 0, 0, scene.held[2]) if scene.sources > 1 else ""))
+         drive("a", scene.held[0], 0, 0, frequency=scene.frequency)
+         + (drive("b", 0, 0, scene.held[2], frequency=scene.frequency)
+            if scene.sources > 1 else ""))
     file(case + "/system/fvSolution", "dictionary", """
         solvers
         {
@@ -137,11 +158,12 @@ def write(case, scene):
 
 
 def means(case):
-    """Mean velocity of every step"""
+    """Time and mean velocity of every step"""
     path, = glob.glob(case + "/postProcessing/mean/0/volFieldValue.dat")
     with open(path) as file_:
-        rows = [line.split("(")[1].rstrip(") \n").split() for line in file_ if line[0] != "#"]
-    return [[float(u) for u in row] for row in rows]
+        rows = [line.replace("(", " ").replace(")", " ").split()
+                for line in file_ if line[0] != "#"]
+    return [(float(row[0]), [float(u) for u in row[1:]]) for row in rows]
 
 
 def check(name, value, least, most, unit):
@@ -158,11 +180,11 @@ def judge(folder):
         rows = means(case)
         # Where nothing is to move, of the velocity of a sphere that settles alone
         size = max(map(abs, scene.held.values())) or 3*SPEED
-        worst = max(abs(row[d] - u) for row in rows for d, u in scene.held.items())
+        worst = max(abs(row[d] - scene.wanted(d, time)) for time, row in rows for d in scene.held)
         good &= check(name, worst/size, 0, 1e-6, "of Ubar missed in %d steps" % len(rows))
         history = table(case, "drivingGradient")
         good &= len(history) == len(rows) > 2
-        for row, mean in zip(history, rows):
+        for row, (time, mean) in zip(history, rows):
             good &= all(abs(row["U" + "xyz"[d]] - mean[d]) < 1e-9*size for d in range(3))
 
     # Hasimoto (1959), J. Fluid Mech. 5, 317

@@ -39,7 +39,8 @@ Foam::tmp<Foam::volScalarField> Foam::carriedPressure::zero
     {
         if (patches[i].coupled())
         {
-            types[i] = patches[i].type();
+            // Not the condition of p, which may have a jump
+            types[i] = patches[i].patch().type();
         }
         else if (patches[i].fixesValue())
         {

@@ -145,6 +145,7 @@ void Foam::incompressibleFlow::readFields(const fvMesh& mesh)
     }
     refuseUnphysical(*U_);
     refuseUnphysical(*p_);
+    unsolvedPhysics::refuseSplitJumps(*p_);
 }
 
 

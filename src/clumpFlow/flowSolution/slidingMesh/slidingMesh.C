@@ -78,7 +78,7 @@ word placedCondition(const GeometricField<Type, fvPatchField, volMesh>& field)
         const fvPatchField<Type>& pf = field.boundaryField()[patchi];
         const bool same =
             pf.coupled()
-          ? pf.type() == pf.patch().type()
+          ? pf.type() == pf.patch().type() || pf.type() == "uniformJump"
           : anywhere.found(pf.type()) && (!pf.fixesValue() || uniform(pf));
         if (!same)
         {

@@ -7,6 +7,8 @@
 #include "dynamicRefineFvMesh.H"
 #include "fvOptionList.H"
 #include "IOdictionary.H"
+#include "jumpCyclicFvPatchFields.H"
+#include "processorCyclicPolyPatch.H"
 #include "Switch.H"
 #include "volFields.H"
 
@@ -153,6 +155,36 @@ void Foam::unsolvedPhysics::refuseSwitches(const dictionary& control)
                 << "; valid: " << Switch(s.value) << ", because " << s.reason
                 << ". Remove the entry." << exit(FatalIOError);
         }
+    }
+}
+
+
+void Foam::unsolvedPhysics::refuseSplitJumps(const volScalarField& p)
+{
+    label split = -1;
+    for (const polyPatch& pp : p.mesh().boundaryMesh())
+    {
+        if (isA<processorCyclicPolyPatch>(pp))
+        {
+            const label half = refCast<const processorCyclicPolyPatch>(pp).referPatchID();
+            if (isA<jumpCyclicFvPatchScalarField>(p.boundaryField()[half]))
+            {
+                split = half;
+            }
+        }
+    }
+    reduce(split, maxOp<label>());
+    if (split >= 0)
+    {
+        const polyPatch& half = p.mesh().boundaryMesh()[split];
+        FatalErrorInFunction
+            << "Field p has a jump (" << p.boundaryField()[split].type() << ") at patch "
+            << half.name() << ", but its faces and their counterparts are on different"
+            << " processors, where OpenFOAM forgets the jump." << nl
+            << "    Decompose the case with this entry in system/decomposeParDict:" << nl
+            << "    constraints { pairs { type preservePatches; patches (" << half.name()
+            << ' ' << refCast<const cyclicPolyPatch>(half).neighbPatchName() << "); } }"
+            << exit(FatalError);
     }
 }
 

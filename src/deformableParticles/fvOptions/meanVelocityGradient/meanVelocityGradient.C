@@ -11,6 +11,8 @@
 #include "FlatOutput.H"
 #include "foamCompat.H"
 #include "checkedEntries.H"
+#include "Constant.H"
+#include "StringStream.H"
 
 namespace Foam
 {
@@ -38,6 +40,42 @@ dictionary everywhere(const dictionary& dict, const word& type)
     return result;
 }
 
+
+//- Times of the run at which a mean velocity is looked at [s]. The golden section has no
+//  period, so that an oscillation is not met in its zeros alone
+scalarList timesOfRun(const Function1<vector>& Ubar, const Time& time)
+{
+    const scalar start = time.value();
+    if (isA<Function1Types::Constant<vector>>(Ubar))
+    {
+        return scalarList(1, start);
+    }
+    const scalar length = max(time.endTime().value() - start, scalar(0));
+    scalarList result(1000);
+    forAll(result, i)
+    {
+        const scalar turns = 0.5*(Foam::sqrt(scalar(5)) - 1)*(i + 1);
+        result[i] = start + length*(turns - std::floor(turns));
+    }
+    return result;
+}
+
+
+//- The largest value of a mean velocity in the run [m/s]
+vector largest(const Function1<vector>& Ubar, const Time& time)
+{
+    vector result(Zero);
+    for (const scalar t : timesOfRun(Ubar, time))
+    {
+        const vector u(Ubar.value(t));
+        if (!(mag(u) <= mag(result)))
+        {
+            result = u;
+        }
+    }
+    return result;
+}
+
 }
 
 
@@ -50,8 +88,9 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
 )
 :
     cellSetOption(sourceName, modelType, everywhere(dict, modelType), mesh),
-    Ubar_(Zero),
-    others_(false),
+    largest_(Zero),
+    along_(Zero),
+    alongOnly_(false),
     gradient_(Zero),
     index_(-1),
     start_(Zero),
@@ -84,7 +123,10 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
             << flatOutput(mesh.sortedNames<volVectorField>())
             << exit(FatalIOError);
     }
-    checkEntries(dict, {"Ubar", "free", typeName + "Coeffs"}, fvOptionEntries());
+    checkEntries
+    (
+        dict, {"Ubar", "UbarCoeffs", "free", typeName + "Coeffs"}, fvOptionEntries()
+    );
     readMeanVelocity(dict);
 
     if (state_.found("gradient"))
@@ -92,7 +134,7 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
         // Former versions wrote the component along Ubar
         gradient_ =
             state_.lookup("gradient")[0].isNumber()
-          ? vector(state_.get<scalar>("gradient")*normalised(Ubar_))
+          ? vector(state_.get<scalar>("gradient")*along_)
           : state_.get<vector>("gradient");
     }
     for (const word key : {"response", "responseStep"})
@@ -104,19 +146,73 @@ Foam::fv::meanVelocityGradient::meanVelocityGradient
 
 void Foam::fv::meanVelocityGradient::readMeanVelocity(const dictionary& dict)
 {
-    Ubar_ = getFinite<vector>(coeffs_, "Ubar");
-    others_ = findOthers(dict);
-    heldDirections();
+    refuseMissing(coeffs_, "Ubar");
+    Ubar_ = Function1<vector>::New("Ubar", coeffs_);
+    largest_ = largest(*Ubar_, mesh_.time());
+    along_ = normalised(largest_);
+
+    // That of the run before was found at other times
+    vector line(Zero);
+    if
+    (
+        state_.readIfPresent("line", line)
+     && mag(line - (line & along_)*along_) < 1e-9*mag(line)
+    )
+    {
+        along_ = line;
+    }
+
+    DynamicList<vector> periods;
+    alongOnly_ = returnReduce(freeDirections(periods), orOp<bool>());
+    alongOnly_ = findOthers(dict) || alongOnly_;
+
+    const List<vector> held(heldDirections());
+    for (const scalar t : timesOfRun(*Ubar_, mesh_.time()))
+    {
+        refuseOthers(held, t);
+    }
+}
+
+
+bool Foam::fv::meanVelocityGradient::constant() const
+{
+    return isA<Function1Types::Constant<vector>>(*Ubar_);
+}
+
+
+Foam::string Foam::fv::meanVelocityGradient::said(const scalar t) const
+{
+    OStringStream os;
+    os  << Ubar_->value(t);
+    if (!constant())
+    {
+        os  << " at time " << t;
+    }
+    return os.str();
+}
+
+
+Foam::List<Foam::vector> Foam::fv::meanVelocityGradient::freeComponents() const
+{
+    const wordList names(coeffs_.getOrDefault<wordList>("free", wordList()));
+    List<vector> result(names.size(), vector::zero);
+    forAll(names, i)
+    {
+        const label d = wordList({"x", "y", "z"}).find(names[i]);
+        if (d < 0)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "Entry 'free' contains " << names[i] << "; valid are x, y and z."
+                << exit(FatalIOError);
+        }
+        result[i][d] = 1;
+    }
+    return result;
 }
 
 
 Foam::List<Foam::vector> Foam::fv::meanVelocityGradient::heldDirections() const
 {
-    DynamicList<vector> periods;
-    bool alongOnly = freeDirections(periods);
-    reduce(alongOnly, orOp<bool>());
-    alongOnly = alongOnly || others_;
-
     // Orthogonal directions: first the free ones, then those that are held
     DynamicList<vector> axes;
     const auto add = [&](vector d)
@@ -131,32 +227,19 @@ Foam::List<Foam::vector> Foam::fv::meanVelocityGradient::heldDirections() const
             axes.append(d/mag(d));
         }
     };
-    for (const word& name : coeffs_.getOrDefault<wordList>("free", wordList()))
+    for (const vector& axis : freeComponents())
     {
-        const label d = wordList({"x", "y", "z"}).find(name);
-        if (d < 0)
-        {
-            FatalIOErrorInFunction(coeffs_)
-                << "Entry 'free' contains " << name << "; valid are x, y and z."
-                << exit(FatalIOError);
-        }
-        vector axis(Zero);
-        axis[d] = 1;
-        if (mag(Ubar_ & axis) > 0)
-        {
-            FatalIOErrorInFunction(coeffs_)
-                << "Entry 'free' contains " << name << ", but Ubar is " << Ubar_
-                << ": the component must be zero." << exit(FatalIOError);
-        }
         add(axis);
     }
     const label nFree = axes.size();
-    if (alongOnly)
+    if (alongOnly_)
     {
-        add(Ubar_);
+        add(along_);
     }
     else
     {
+        DynamicList<vector> periods;
+        freeDirections(periods);
         List<List<vector>> all(Pstream::nProcs());
         all[Pstream::myProcNo()] = periods;
         gatherToAll(all);
@@ -169,34 +252,62 @@ Foam::List<Foam::vector> Foam::fv::meanVelocityGradient::heldDirections() const
         }
     }
     const List<vector> held(SubList<vector>(axes, axes.size() - nFree, nFree));
-    refuseFixed(held);
+    const scalar now = mesh_.time().value();
+    refuseOthers(held, now);
+    if (held.empty())
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "Entry 'Ubar' is " << said(now).c_str() << ", but no component of the"
+            << " mean velocity can be held: there are no cyclic patches, or their"
+            << " directions are among the entry 'free'." << exit(FatalIOError);
+    }
     return held;
 }
 
 
-void Foam::fv::meanVelocityGradient::refuseFixed(const UList<vector>& held) const
+void Foam::fv::meanVelocityGradient::refuseOthers
+(
+    const UList<vector>& held,
+    const scalar t
+) const
 {
-    vector rest(Ubar_);
+    const vector Ubar(checkSize(coeffs_, "Ubar", Ubar_->value(t)));
+    const scalar size = max(mag(largest_), mag(Ubar));
+    for (const vector& axis : freeComponents())
+    {
+        if (mag(Ubar & axis) > 1e-12*size)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "Entry 'free' contains "
+                << (axis.x() > 0 ? "x" : axis.y() > 0 ? "y" : "z") << ", but Ubar is "
+                << said(t).c_str() << ": the component must be zero."
+                << exit(FatalIOError);
+        }
+    }
+    vector rest(Ubar);
     for (const vector& d : held)
     {
-        rest -= (Ubar_ & d)*d;
+        rest -= (Ubar & d)*d;
     }
-    if (mag(rest) > 1e-6*mag(Ubar_))
+    if (mag(rest) <= 1e-6*size)
+    {
+        return;
+    }
+    if (alongOnly_)
     {
         FatalIOErrorInFunction(coeffs_)
-            << "Entry 'Ubar' is " << Ubar_ << ", but the boundary conditions fix"
-            << " the mean velocity in this direction: no cyclic patches repeat"
-            << " along it, and " << fieldNames_[0] << " is fixed on all other"
-            << " patches. The gradient would grow without limit."
-            << exit(FatalIOError);
+            << "Entry 'Ubar' is " << said(t).c_str() << ", which is not along its largest"
+            << " value, " << largest_ << ". Where the fluid may flow through a patch on"
+            << " which " << fieldNames_[0] << " is not fixed, and beside other sources of"
+            << " this type, one direction is held, which must not change in time. Give"
+            << " each component a source of its own." << exit(FatalIOError);
     }
-    if (held.empty())
-    {
-        FatalIOErrorInFunction(coeffs_)
-            << "Entry 'Ubar' is " << Ubar_ << ", but no component of the mean"
-            << " velocity can be held: there are no cyclic patches, or their"
-            << " directions are among the entry 'free'." << exit(FatalIOError);
-    }
+    FatalIOErrorInFunction(coeffs_)
+        << "Entry 'Ubar' is " << said(t).c_str() << ", but the boundary conditions fix"
+        << " the mean velocity in this direction: no cyclic patches repeat"
+        << " along it, and " << fieldNames_[0] << " is fixed on all other"
+        << " patches. The gradient would grow without limit."
+        << exit(FatalIOError);
 }
 
 
@@ -252,15 +363,22 @@ bool Foam::fv::meanVelocityGradient::findOthers(const dictionary& dict) const
             continue;
         }
         found = true;
-        const vector Ubar
+        const vector theirs
         (
-            other.optionalSubDict(typeName + "Coeffs").get<vector>("Ubar")
+            largest
+            (
+                *Function1<vector>::New
+                (
+                    "Ubar", other.optionalSubDict(typeName + "Coeffs")
+                ),
+                mesh_.time()
+            )
         );
-        if (mag(Ubar & Ubar_) >= 1e-6*mag(Ubar)*mag(Ubar_))
+        if (mag(theirs & largest_) >= 1e-6*mag(theirs)*mag(largest_))
         {
             FatalIOErrorInFunction(dict)
-                << "Entry 'Ubar' is " << Ubar_ << " in " << name_ << " and "
-                << Ubar << " in " << e.keyword() << ". Both hold the mean"
+                << "Entry 'Ubar' is " << largest_ << " in " << name_ << " and "
+                << theirs << " in " << e.keyword() << ". Both hold the mean"
                 << " velocity in the same direction, and their gradients would"
                 << " grow without limit. Remove one of them."
                 << exit(FatalIOError);
@@ -276,7 +394,7 @@ void Foam::fv::meanVelocityGradient::refuseIdle(const scalar response) const
     {
         FatalIOErrorInFunction(coeffs_)
             << "A gradient in this source changes the mean velocity by " << response
-            << " m/s per m/s2: it cannot hold Ubar " << Ubar_ << ". The source acts on "
+            << " m/s per m/s2: it cannot hold Ubar " << Ubar() << ". The source acts on "
             << returnReduce(cells_.size(), sumOp<label>()) << " mesh cells."
             << exit(FatalIOError);
     }
@@ -310,6 +428,10 @@ void Foam::fv::meanVelocityGradient::correct(volVectorField& U)
 
     setExact(state_, "gradient", gradient_);
     setExact(state_, "mean", mean);
+    if (!constant())
+    {
+        setExact(state_, "line", along_);
+    }
 }
 
 

@@ -8,11 +8,15 @@
 #include "planeInBox.H"
 #include "surfaceDistance.H"
 #include "zeroGradientFvPatchFields.H"
+#include <cmath>
 
 namespace
 {
 
 using namespace Foam;
+
+//- More than there are processors
+constexpr scalar mostProcessors = 1 << 24;
 
 //- Fractions nearer than this to zero or one are zero or one
 constexpr scalar least = 1e-4;
@@ -262,7 +266,7 @@ void Foam::bodySurfaces::update(const deformableCloud& cloud)
             {
                 distance_[p.celli] = d;
                 outwards_[p.celli] = p.outwards;
-                clump_[p.celli] = 1 + id.first() + 65536.0*id.second();
+                clump_[p.celli] = 1 + id.first() + mostProcessors*id.second();
                 type_[p.celli] = cloud.types()[typei].whole(typei);
             }
         }
@@ -272,6 +276,14 @@ void Foam::bodySurfaces::update(const deformableCloud& cloud)
     clump_.correctBoundaryConditions();
     setCells();
     setFaces();
+}
+
+
+Foam::labelPair Foam::bodySurfaces::idOf(const label celli) const
+{
+    const scalar number = clump_[celli] - 1;
+    const label id(std::floor(number/mostProcessors));
+    return labelPair(label(number - mostProcessors*id), id);
 }
 
 

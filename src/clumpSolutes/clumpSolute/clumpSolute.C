@@ -8,6 +8,7 @@
 #include "cellSetOption.H"
 #include "checkedEntries.H"
 #include "FlatOutput.H"
+#include "foamCompat.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
@@ -34,6 +35,7 @@ Foam::functionObjects::clumpSolute::clumpSolute
 :
     fvMeshFunctionObject(name, runTime, dict),
     table_(mesh_, name, typeName),
+    clumpTable_(mesh_, name + "Clumps", "clumpContent"),
     through_(mesh_.boundaryMesh().nNonProcessor(), Zero)
 {
     read(dict);
@@ -50,12 +52,13 @@ bool Foam::functionObjects::clumpSolute::read(const dictionary& dict)
     checkEntries
     (
         dict,
-        {"cloud", "field", "diffusivity", "tolerance", "types"},
+        {"cloud", "field", "diffusivity", "tolerance", "types", "perClump"},
         functionObjectEntries()
     );
     cloudName_ = deformableCloud::findName(mesh_, dict);
     diffusivity_ = getPositive(dict, "diffusivity");
     tolerance_ = getPositiveOrDefault(dict, "tolerance", 1e-8);
+    perClump_ = dict.getOrDefault("perClump", false);
     if (!functionObject::postProcess)
     {
         const dictionary types(dict.subOrEmptyDict("types"));
@@ -91,7 +94,9 @@ bool Foam::functionObjects::clumpSolute::read(const dictionary& dict)
             outer_.reset(new volScalarField(file, mesh_));
         }
     }
-    return fvMeshFunctionObject::read(dict) && table_.read(dict);
+    return
+        fvMeshFunctionObject::read(dict) && table_.read(dict)
+     && clumpTable_.read(dict);
 }
 
 
@@ -679,6 +684,41 @@ bool Foam::functionObjects::clumpSolute::execute()
 }
 
 
+void Foam::functionObjects::clumpSolute::writeClumps()
+{
+    // Content and volume
+    HashTable<vector, labelPair, labelPair::Hash<>> sums;
+    forAll(mesh_.V(), celli)
+    {
+        if (inside_->active(celli) && surfaces_->type()[celli] >= 0)
+        {
+            sums(surfaces_->idOf(celli), Zero) += mesh_.V()[celli]*vector
+            (
+                (*innerContent_)[celli], inside_->volume()[celli], 0
+            );
+        }
+    }
+    reduceMap(sums, plusEqOp<vector>());
+    if (!Pstream::master())
+    {
+        return;
+    }
+    tableHeader header("Content of each clump");
+    header
+       .add("time", "s").add("clump").add("origProc").add("content", "C.m3")
+       .add("volume", "m3")
+       .explain("clump origProc", "number of the clump, and of the processor that it is of")
+       .explain("content volume", "in the mesh cells that it is the nearest of all clumps to");
+    Ostream& os = clumpTable_.open(header);
+    for (const labelPair& id : sums.sortedToc())
+    {
+        os  << mesh_.time().timeOutputValue() << '\t' << id.second() << '\t' << id.first()
+            << '\t' << sums[id].x() << '\t' << sums[id].y() << nl;
+    }
+    clumpTable_.flush();
+}
+
+
 bool Foam::functionObjects::clumpSolute::write()
 {
     if (functionObject::postProcess)
@@ -748,6 +788,10 @@ bool Foam::functionObjects::clumpSolute::write()
         }
         os  << nl;
         table_.flush();
+    }
+    if (perClump_)
+    {
+        writeClumps();
     }
     if (mesh_.time().writeTime())
     {

@@ -116,7 +116,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<integrator>("integrators");
     run<integrator>("../paperModels/integrators");
     run<contactModel>("contact/contactModels");
-    run<gapModel>("contact/gapModels");
+    run<gapModel>("../clumpGaps/gapModels");
     run<load>("clump/loads");
     for (const fileName folder : {"fluidCoupling", "../paperModels"})
     {

@@ -376,10 +376,10 @@ void Foam::caseTemplate::write(const bool overwrite) const
         << '}' << nl;
     if (!source_.empty())
     {
-        // Of rings as of cells two part at the same force, see doc/models/gapModels.md
+        // With these, blood of rings and of cells is alike, see doc/models/gapModels.md
         os  << nl << "// Attraction of red cells in plasma" << nl
             << "// surfaceForces { plasma { type depletion; energy "
-            << (type_.found("membrane") ? "2.67e-6" : "0.14e-6")
+            << (type_.found("membrane") ? "2.67e-6" : "0.28e-6")
             << "; } }     // [J/m2]" << nl;
     }
     if (!hasDensity)

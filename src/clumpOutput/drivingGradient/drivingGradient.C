@@ -81,6 +81,7 @@ bool Foam::functionObjects::drivingGradient::write()
         tableHeader header("Gradient that holds the mean velocity");
         header
            .add("time", "s").addVector("G", "m/s2").addVector("U", "m/s")
+           .explain("time", "end of the step")
            .explain("Gx Gy Gz", "gradient, an acceleration; times the density of the fluid,"
                 " the pressure drop per length")
            .explain("Ux Uy Uz", "mean velocity of fluid and clumps in the mesh; times the area"

@@ -3,6 +3,7 @@
     GPL-3.0-or-later, see COPYING
 \*---------------------------------------------------------------------------*/
 
+#include "tableRows.H"
 #include "testCatch.H"
 #include "testCloud.H"
 #include "clumpDispersion.H"
@@ -11,9 +12,7 @@
 #include "stateList.H"
 #include "wallVisits.H"
 #include "OSspecific.H"
-#include <fstream>
 #include <map>
-#include <sstream>
 
 using namespace Foam;
 using functionObjects::clumpDispersion;
@@ -63,41 +62,6 @@ lagDispersion walk
         d.reach(n + 1);
     }
     return d;
-}
-
-
-//- Rows of a table in a folder of the case, by the names of their columns. On the master
-std::vector<std::map<std::string, std::string>> rowsOf(const fileName& path)
-{
-    std::vector<std::map<std::string, std::string>> rows;
-    std::vector<std::string> names;
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line); )
-    {
-        if (line[0] == '#')
-        {
-            continue;
-        }
-        std::vector<std::string> cells;
-        std::istringstream is(line);
-        for (std::string cell; std::getline(is, cell, '\t'); )
-        {
-            cells.push_back(cell);
-        }
-        if (names.empty())
-        {
-            names = cells;
-            continue;
-        }
-        REQUIRE(cells.size() == names.size());
-        std::map<std::string, std::string> row;
-        for (size_t k = 0; k < names.size(); ++k)
-        {
-            row[names[k]] = cells[k];
-        }
-        rows.push_back(row);
-    }
-    return rows;
 }
 
 }

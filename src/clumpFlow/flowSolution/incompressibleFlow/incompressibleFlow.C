@@ -263,7 +263,7 @@ Foam::incompressibleFlow::incompressibleFlow
         carriedU_.reset(new carriedVelocity(*U_));
         if (control_->dict().getOrDefault<Switch>("wallMobility", true))
         {
-            mobility_.reset(new wallMobility(*U_));
+            mobility_.reset(new fluidMobility(*U_));
         }
     }
 }
@@ -463,21 +463,21 @@ void Foam::incompressibleFlow::meshChanged()
     }
     if (mobility_.valid())
     {
-        mobility_->meshChanged();
+        mobility_->meshChanged(*U_);
     }
 }
 
 
 Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::pressureMobility
 (
-    tmp<volScalarField> tA
+    const volScalarField& A
 )
 {
     if (mobility_.valid())
     {
-        tA.ref() += mobility_->resistance(nu());
+        return mobility_->value(A, viscosity());
     }
-    return 1/tA;
+    return 1/A;
 }
 
 

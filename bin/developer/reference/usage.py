@@ -2,7 +2,7 @@
 import pathlib
 import re
 
-TOP = pathlib.Path(__file__).resolve().parents[2]
+TOP = pathlib.Path(__file__).resolve().parents[3]
 
 
 class Entry:

@@ -87,7 +87,8 @@ class Table(list):
 
     def __getitem__(self, key):
         if not isinstance(key, str):
-            return super().__getitem__(key)
+            found = super().__getitem__(key)
+            return Table(found, self.name, self.units) if isinstance(key, slice) else found
         if self and key not in self[0]:
             raise CaseError(f"{self.name} has no column '{key}'; there are "
                             + ", ".join(self.columns))
@@ -477,9 +478,18 @@ class Run:
         """Names of the clump types."""
         if seriesFile(self.case):
             return typeNames(self.frames[-1][1])
-        found = (self[name] for name in self.tables)
-        return sorted({row["type"] for rows in found for row in rows
+        return sorted({row["type"] for _, rows in self.readable() for row in rows
                        if "type" in row and row.get("clump") != -1})     # -1: of means
+
+    def readable(self):
+        """Names and tables of postProcessing, without what is no table over time."""
+        for name in self.tables:
+            try:
+                rows = self[name]
+            except (LookupError, ValueError):
+                continue
+            if not rows or "time" in rows.columns:
+                yield name, rows
 
     def at(self, time=math.inf):
         """The file of the spheres at the written time that is nearest, the last one without it."""
@@ -520,7 +530,8 @@ class Run:
         inside = (first <= time) & (time <= last)
         if not inside.any():
             raise CaseError(f"{self.case}: no clumps in the interval")
-        return Trajectories(time[inside], clump, x[:, inside])
+        there = ~np.isnan(x[:, inside]).all(axis=(1, 2))
+        return Trajectories(time[inside], clump[there], x[:, inside][there])
 
     def centres(self, type=None):
         """Times, numbers and centres of the clumps in VTK/clumps."""
@@ -573,8 +584,7 @@ class Run:
 
     def __repr__(self):
         lines = [f"{os.path.abspath(self.case)}: types {', '.join(self.types) or 'unknown'}"]
-        for name in self.tables:
-            rows = self[name]
+        for name, rows in self.readable():
             lines.append(f"{name}: {len(rows)} rows; " + ", ".join(
                 column + (f" [{rows.units[column]}]" if rows.units[column] else "")
                 for column in rows.columns))

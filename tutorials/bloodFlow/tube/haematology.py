@@ -72,9 +72,10 @@ for panel, column, factor, label in ((axes[0], "H", 1, "haematocrit"),
                    color="firebrick")
     panel.axvline(1e6*(RADIUS - means["layer"][0]), color="0.6", lw=0.8)
     panel.set(xlabel="distance from the axis [um]", ylabel=label, xlim=(0, 1e6*RADIUS))
-    panel.set_ylim(bottom=0)
 s = np.linspace(0, RADIUS, 50)
 axes[1].plot(1e6*s, 2e3*means["Ub"][0]*(1 - (s/RADIUS)**2), "--", color="0.5", lw=1)
+for panel in axes:
+    panel.set_ylim(bottom=0)
 figure.tight_layout()
 figure.savefig("haematology.png", dpi=110)
 

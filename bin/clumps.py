@@ -617,7 +617,6 @@ def printTable(given, wrong):
     if count == 0:
         sys.exit(f"{case}: no row" + "".join(f" of {key} {value}" for key, value in wanted.items())
                  + f" in {', '.join(tables)}")
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)       # of a reader that has enough, as head
     for i in range(count - 1 if given.last else 0, count):
         try:
             print(",".join(tables[name][i][column] for name, column in columns))
@@ -650,6 +649,7 @@ def printDiffusion(given, _):
 
 
 def main(arguments):
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)       # of a reader that has enough, as head
     sys.dont_write_bytecode = True
     from clumpArguments import parser
     options = parser(__doc__)
@@ -657,7 +657,8 @@ def main(arguments):
 
     def command(name, action, *flags):
         """A command with a case; flags: those for a type and an interval of time."""
-        result = commands.add_parser(name, add_help=False, allow_abbrev=False)
+        result = commands.add_parser(name, prog=f"clumps.py {name}", add_help=False,
+                                     allow_abbrev=False)
         result.set_defaults(action=action, wrong=result.error)
         if "type" in flags:
             result.add_argument("-type")

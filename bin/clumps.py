@@ -571,16 +571,18 @@ class Run:
         return Diffusion(np.array(counts)*step, np.array([msd(x, n) for n in counts]), D, error)
 
     def means(self, name, first=-math.inf, last=math.inf, blocks=8):
-        """Mean over time and its standard error of every column of numbers of a table, by name."""
-        return {column: (mean, error) for _, column, mean, error, _ in
+        """Mean over time and its standard error of every column of numbers of a table, by name. The
+        error is the larger one of those with so many blocks of time and with half of them."""
+        return {column: (mean, np.fmax(*errors)) for _, column, mean, *errors in
                 averages(self.case, name, (), first, last, blocks)}
 
     def profile(self, column, first=-math.inf, last=math.inf, name="clumpProfiles"):
-        """Positions of the bins [m], means over time of a column and their standard errors."""
+        """Positions of the bins [m], means over time of a column and their standard errors, those
+        of means."""
         found = averages(self.case, name, ("s", column), first, last, by="bin")
-        return tuple(np.array(values) for values in
-                     ([row[2] for row in found[::2]], [row[2] for row in found[1::2]],
-                      [row[3] for row in found[1::2]]))
+        s = np.array([row[2] for row in found[::2]])
+        mean, error, ofHalf = np.array([row[2:] for row in found[1::2]]).T
+        return s, mean, np.fmax(error, ofHalf)
 
     def __repr__(self):
         lines = [f"{os.path.abspath(self.case)}: types {', '.join(self.types) or 'unknown'}"]

@@ -21,7 +21,7 @@ print(run)
 # %% [markdown]
 # ## Means and standard errors
 # The packing at the start is random: the first half of the run does not count. Every mean comes
-# with the standard error from the means of eight blocks of time.
+# with its standard error from the means of blocks of time.
 
 # %%
 first = run["haematocrit"]["time"][-1]/2

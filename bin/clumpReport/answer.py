@@ -34,7 +34,7 @@ PROFILE = {"H": "haematocrit", "U": "velocity of fluid and clumps", "Uc": "veloc
            "n": "number of clumps"}
 # Of a branch, from its totals
 BRANCH = {"flow": "part of the blood", "clumps": "part of the clumps",
-          "Hd": "discharge haematocrit", "skimming": "that over the feed",
+          "Hd": "discharge haematocrit Hd", "skimming": "Hd over that of the feed",
           "residence": "residence time"}
 
 

@@ -106,7 +106,7 @@ class Page:
             text += f'<p class="alert">{escaped(run.later())}</p>'
         if log.error:
             text += f"<pre>{escaped(log.error)}</pre>"
-        return text + "".join(f'<p><b class="alert">Warning:</b> {escaped(w)}</p>'
+        return text + "".join(f'<p><b>Warning:</b> {escaped(w)}</p>'
                               for w in log.warnings())
 
     def view(self, run):
@@ -153,9 +153,9 @@ class Page:
         for name in words:
             values = [found.get(name, (None, ""))[0] for found in each]
             column = next(found[name][1] for found in each if name in found)
-            row = [f"{name} ({column})", *("" if v is None else v.text() for v in values)]
-            rows.append(row + [answer.difference(*values[:2]) if several
-                               else values[0].changeText()])
+            last = answer.difference(*values) if several else values[0].changeText()
+            rows.append([name if name == column else f"{name} ({column})",
+                         *("" if v is None else v.text() for v in values), last])
         head = ("", *(self.names if several else ("mean ± standard error",)),
                 "difference" if several else "change")
         return "<h3>Means over the second half of the run</h3>" + grid(rows, head) \
@@ -247,7 +247,7 @@ class Page:
         seconds, steps = log.seconds()
         of = ", of the last run" if len(log.runs) > 1 else ""
         lines = [line.split() for line in log.lines_after("Time breakdown")]
-        wide = max(map(len, lines), default=0)
+        wide = len(lines[0]) if lines else 0
         parts = f"<p>Wall clock time of the parts{of}:</p>" + grid(
             [[" ".join(line[:len(line) - wide + 1])] + line[len(line) - wide + 1:]
              for line in lines]) if lines else ""

@@ -33,7 +33,7 @@ class Table:
             self.title = next(text for text in map(str.strip, comments)
                               if not text.startswith("Written by"))
         self.columns = [c for c in (self.rows[0] if self.rows else ()) if c not in
-                        ("time", "clump", "type") and all(isinstance(row[c], float)
+                        ("time", "clump", "type") and all(isinstance(row.get(c), float)
                                                           for row in self.rows)]
 
     def has(self, *names):

@@ -35,9 +35,10 @@ function label(text, place, height) {
     pen.textAlign = "center";
     pen.fillText(text, 128, 46);
     const map = new THREE.CanvasTexture(canvas);
-    const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map }));
+    const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map, depthTest: false }));
     sprite.scale.set(4*height, height, 1);
     sprite.position.copy(place);
+    sprite.renderOrder = 1;         // after the walls
     return sprite;
 }
 
@@ -46,9 +47,11 @@ function frame(box, unit) {
     const group = new THREE.Group().add(new THREE.Box3Helper(box, GREY));
     const size = box.getSize(new THREE.Vector3()), span = size.length();
     ["x", "y", "z"].forEach(axis => {
-        const place = box.min.clone();
+        const place = box.min.clone();      // below the front and the left edge, and at the right
+        place.y -= 0.04*span;
+        if (axis !== "z") place.z = box.max.z;
+        if (axis === "y") place.x = box.max.x + 0.08*span;
         place[axis] = (box.min[axis] + box.max[axis])/2;
-        place[axis === "y" ? "x" : "y"] -= 0.04*span;
         group.add(label(`${axis} ${Number(size[axis].toPrecision(3))} ${unit}`, place, 0.05*span));
     });
     return group;

@@ -110,7 +110,7 @@ def slices(domain, times, factor):
     by, unit = fitting("m/s", most)
     return {"step": step, "range": f"Flow: 0 (dark) to {by*most:.3g} {unit} (yellow).",
             "parts": [{"points": encoded(factor*x, "<f4"), "triangles": encoded(corners, "<u4"),
-                       "colours": encoded(colours(speed/max(most, 1e-300))[:, :3], "<f4")}
+                       "colours": encoded(colours(speed/(most or 1))[:, :3], "<f4")}
                       for x, corners, speed in found]}
 
 

@@ -140,7 +140,8 @@ class Page:
         sized = space.size(run)
         head, *rows = answer.balance(run)
         return (f"<p>Domain: {escaped(sized)}.</p>" if sized else "") \
-            + (grid(rows, head) if rows else "")
+            + (grid(rows, head) if rows else "".join(f"<p>{escaped(text)}.</p>"
+                                                     for text in run.log.clumps()))
 
     def numbers(self):
         """The key numbers, of several runs beside each other."""
@@ -235,7 +236,8 @@ class Page:
         effects = [re.match(r" *([^:]+): ([^,]*),? ?(.*)", line)
                    for line in run.log.lines_after("Effects")]
         changes = run.log.changes()
-        return "".join(f"<p>{escaped(text)}</p>" for text in run.log.facts()) \
+        facts = run.log.programs() + run.log.clumps()
+        return "".join(f"<p>{escaped(text)}</p>" for text in facts) \
             + (grid([found.groups() for found in effects if found], ("effect", "state", "reason"))
                if effects else "<p>The log has no table of effects.</p>") \
             + (folded(f"{len(changes)} changes during the run",

@@ -6,8 +6,9 @@ import re
 import sys
 from functools import cached_property
 
+import numpy as np
 from clumpDomain import Domain
-from clumpSpheres import frames, seriesFile, spheres, typeNames
+from clumpSpheres import frames, membranes, seriesFile, spheres, typeNames
 from clumpTables import table
 
 from clumpReport.runLog import Log
@@ -45,6 +46,15 @@ class Table:
         return [row for row in self.rows if row["time"] >= half], half
 
 
+def byType(s, m):
+    """(type, (x, y, z and radius of its spheres, nodes, triangles)) of what is there."""
+    places = np.column_stack([s["x"], s["radius"]]) if len(s["x"]) else np.empty((0, 4))
+    for kind in sorted({*s["type"], *m["type"]}):
+        nodes = m["type"] == kind
+        corners = m["triangles"][nodes[m["triangles"][:, 0]]]
+        yield int(kind), (places[s["type"] == kind], m["x"][nodes], (np.cumsum(nodes) - 1)[corners])
+
+
 class Run:
     def __init__(self, case):
         path = os.path.join(case, "log.rbcIbFoam")
@@ -52,6 +62,7 @@ class Run:
             sys.exit(f"There is no {path}: run rbcIbFoam > log.rbcIbFoam in the case")
         self.case, self.log = case, Log(path)
         self.name = os.path.basename(os.path.abspath(case))
+        self.read = {}
         self.frames = frames(case) if seriesFile(case) else []
         # Names of the types in the order of their numbers
         self.types = typeNames(self.frames[-1][1]) if self.frames else []
@@ -67,8 +78,15 @@ class Run:
     @cached_property
     def largestRadius(self):
         """Of the spheres [m], zero without any."""
-        radii = spheres(self.frames[-1][1])["radius"] if self.frames else []
-        return float(max(radii)) if len(radii) else 0
+        found = self.clumps(self.frames[-1][1]).values() if self.frames else ()
+        return max((radius for places, *_ in found for radius in places[:, 3]), default=0)
+
+    def clumps(self, path):
+        """Of a file of VTK/clumps, by number of the type: places and radii of the spheres, nodes
+        and triangles of membranes."""
+        if path not in self.read:
+            self.read[path] = dict(byType(spheres(path), membranes(path)))
+        return self.read[path]
 
     def allTypes(self):
         """Names of the types in the order of their colours."""

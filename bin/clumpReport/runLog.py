@@ -29,12 +29,17 @@ class Log:
             else "ran to its end" if self.ended else "has not reached its end"
         return f"The run {ended}; its last step is that to {self.last or 'none'} s."
 
-    def facts(self):
-        """Lines on the programs and on what was there."""
-        patterns = (r"^(deformableParticles .*)$", r"^Build +: (.*)$", r"^(nProcs +: .*)$",
-                    r"^((?:Placed|Read) \d+ clumps.*)$", r"^(Haematocrit 0?\.\d*[1-9].*)$",
-                    r"^(Clumps: \d+ inside, \d+ entered, \d+ left)$")
+    def lines(self, *patterns):
         return [text for text in map(self.one, patterns) if text]
+
+    def programs(self):
+        return self.lines(r"^(deformableParticles .*)$", r"^Build +: (.*)$", r"^(nProcs +: .*)$")
+
+    def clumps(self):
+        """Lines on what was there at the start and at the end."""
+        return self.lines(r"^((?:Placed|Read) \d+ clumps.*)$",
+                          r"^(Haematocrit 0?\.\d*[1-9].*)$",
+                          r"^(Clumps: \d+ inside, \d+ entered, \d+ left)$")
 
     def passages(self):
         """(type, entered or left, patch) of every clump that has entered or left."""

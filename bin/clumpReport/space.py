@@ -1,12 +1,11 @@
 """The clumps in space at the written times, for the view that turns, and a still picture."""
 import base64
-from functools import lru_cache
 
 import matplotlib
 import numpy as np
 from clumpDomain import fitting, lengthUnit
 from clumpRender import render, turned
-from clumpSpheres import hasFluid, membranes, spheres
+from clumpSpheres import hasFluid
 from matplotlib import pyplot as plt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane
@@ -25,29 +24,14 @@ def encoded(array, kind):
     return base64.b64encode(np.ascontiguousarray(array, dtype=kind).tobytes()).decode()
 
 
-@lru_cache(MOST_TIMES)
-def clumpsOf(path):
-    """By number of the type: places and radii of the spheres, nodes and triangles of membranes."""
-    s, m = spheres(path), membranes(path)
-    result = {}
-    for kind in sorted(set(s["type"]) | set(m["type"])) if len(s["x"]) or len(m["x"]) else ():
-        own, nodes = s["type"] == kind, m["type"] == kind
-        new = np.cumsum(nodes) - 1
-        corners = m["triangles"][nodes[m["triangles"][:, 0]]] if nodes.any() \
-            else np.empty((0, 3), dtype=int)
-        places = np.column_stack([s["x"], s["radius"]])[own] if own.any() else np.empty((0, 4))
-        result[int(kind)] = places, m["x"][nodes], new[corners] if len(corners) else corners
-    return result
-
-
 def chosen(run):
     """Times and files that the page has room for: the first with a clump, the last, and as many
     between."""
-    first = next((k for k, (_, path) in enumerate(run.frames) if clumpsOf(path)), None)
+    first = next((k for k, (_, path) in enumerate(run.frames) if run.clumps(path)), None)
     if first is None:
         return []
     there = run.frames[first:]
-    points = sum(len(x) + len(nodes) for x, nodes, _ in clumpsOf(there[-1][1]).values())
+    points = sum(len(x) + len(nodes) for x, nodes, _ in run.clumps(there[-1][1]).values())
     number = min(max(MOST_POINTS//max(points, 1), 2), MOST_TIMES, len(there))
     return [there[round(k)] for k in np.linspace(0, len(there) - 1, number)] if number > 1 \
         else there[-1:]
@@ -116,7 +100,7 @@ def slices(domain, times, factor):
 
 def limits(run, frames):
     """Of the domain where it has a fluid, which the clumps may leave; else of the clumps."""
-    ends = [np.concatenate([e for x, nodes, _ in clumpsOf(path).values()
+    ends = [np.concatenate([e for x, nodes, _ in run.clumps(path).values()
                             for e in (x[:, :3] - x[:, 3:], x[:, :3] + x[:, 3:], nodes)])
             for _, path in (frames[0], frames[-1])]
     every = np.concatenate(ends)
@@ -140,7 +124,7 @@ def scene(run, types):
                 "mesh": mesh}
 
     moving = [{types.index(run.types[kind]): ofType(*parts)
-               for kind, parts in clumpsOf(path).items()} for _, path in frames]
+               for kind, parts in run.clumps(path).items()} for _, path in frames]
     wet = hasFluid(run.case)
     return {
         "unit": unit,
@@ -170,7 +154,7 @@ def picture(run, types, colours):
     if run.domain.walls and hasFluid(run.case):
         cut = [part for k in (1, 2) for part in factor*run.domain.section(k)]
         box = cut or box
-    parts = clumpsOf(frames[-1][1])
+    parts = run.clumps(frames[-1][1])
     rgb = {kind: np.array(matplotlib.colors.to_rgb(colours[types.index(run.types[kind])]))
            for kind in parts}
     x = np.concatenate([p[:, :3] for p, _, _ in parts.values()])

@@ -144,16 +144,16 @@ def edges(low, high):
 
 
 def picture(run, types, colours):
-    """The clumps at the last time as a still picture, in the edges of the domain."""
+    """The clumps at the last time as a still picture, in the edges of the domain and where middle
+    planes cut the walls."""
     frames = chosen(run)
     if not frames:
         return ""
     low, high = limits(run, frames)
     factor, unit = lengthUnit(max(np.subtract(high, low)))
     box = [factor*line for line in edges(low, high)]
-    if run.domain.walls and hasFluid(run.case):
-        cut = [part for k in (1, 2) for part in factor*run.domain.section(k)]
-        box = cut or box
+    cut = [part for k in (1, 2) for part in factor*run.domain.section(k)] \
+        if hasFluid(run.case) else []
     parts = run.clumps(frames[-1][1])
     rgb = {kind: np.array(matplotlib.colors.to_rgb(colours[types.index(run.types[kind])]))
            for kind in parts}
@@ -170,9 +170,9 @@ def picture(run, types, colours):
                            (factor*nodes, corners, ofNodes))
     figure, axes = plt.subplots(figsize=(9, max(9*np.ptp(places[:, 1])/wide, 1)))
     axes.imshow(image, extent=extent, interpolation="bilinear")
-    for line in box:
+    for line in box + cut:
         q = turned(line)
-        axes.plot(q[:, 0], q[:, 1], color="0.5", lw=0.8)
+        axes.plot(q[:, 0], q[:, 1], color="0.5", lw=0.8, alpha=0.6)
     axes.set_axis_off()
     shown = {types.index(run.types[kind]) for kind in parts}
     if len(shown) > 1:

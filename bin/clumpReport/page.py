@@ -185,11 +185,9 @@ class Page:
     def results(self):
         names = list(dict.fromkeys(name for run in self.runs for name in run.tables))
         # Profiles first
-        names.sort(key=lambda name: not self.tables(name)[0].has("bin", "s"))
+        names.sort(key=lambda name: not any(run.tables[name].has("bin", "s") for run in self.runs
+                                            if name in run.tables))
         return "".join(self.table(name) for name in names)
-
-    def tables(self, name):
-        return [run.tables[name] for run in self.runs if name in run.tables]
 
     def table(self, name):
         """The plots of a table; those of other than the key columns are folded."""

@@ -12,8 +12,8 @@ import re
 
 GREEK = dict(zip(
     "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi "
-    "psi omega Phi".split(),
-    "αβγδεζηθκλμνξπρστφχψωΦ"))
+    "psi omega Phi Omega".split(),
+    "αβγδεζηθκλμνξπρστφχψωΦΩ"))
 LARGE = {"sum": "∑", "prod": "∏", "int": "∫", "integral": "∫"}
 NAMED = {name: name for name in "min max exp cos sin ln div tr var mean".split()}
 NAMED.update({"grad": "∇", "inf": "∞"})
@@ -364,7 +364,8 @@ def isEquation(lines):
         return False
 
 
-POWER = r"\^(?:-\d/\d|-?(?:\d+(?:\.\d+)?|[A-Za-z]\b)|\([^()\s]*\))"
+GROUP = r"\((?:[^()]|\([^()]*\))*\)"
+POWER = r"\^(?:-\d/\d|-?(?:\d+(?:\.\d+)?|[A-Za-z]\b)|%s)" % GROUP
 SCRIPTS = r"(?:(?:_(?:[A-Za-z0-9]+(?:,[a-z]\b)?'?)|%s)+)" % POWER
 LETTERS = "|".join(sorted(GREEK, key=len, reverse=True))
 
@@ -375,19 +376,22 @@ SYMBOL = re.compile(r"""
   | (?<=[\w)\]|>])(?P<power>%s)
 """ % (LETTERS, SCRIPTS, LETTERS, POWER), re.X)
 
-# The same in the theory, where a letter that stands alone is a symbol and not a unit
+# The same in the theory, where a letter that stands alone is a symbol if it is no unit
 THEORY = re.compile(r"""
-    (?<!\w)(?P<base>%s|[A-Za-z]{1,2}|sum|int|min|max|div|rAU)(?P<scripts>%s)
+    (?P<unit>\b(?:(?:N|Pa|mPa)\ s(?:/m)?|N\ m2?|N/m|1/s)\b)
+  | (?<!\w)(?P<base>%s|[A-Za-z]{1,2}|sum|int|min|max|div|rAU)(?P<scripts>%s)
   | (?<![\w`])(?P<greek>%s)(?![\w-])
-  | (?<=[\w)\]|>])(?P<power>%s)
-  | (?<![\w'])(?<!\d\ (?=[smNVKJWCgx]\b))(?P<letter>[b-zB-HJ-Z]|[aAI](?=\ ?[=<>^)/]))(?![\w'-])
-  | (?P<sign>[<>]=|\bgrad\b(?=\ \w{1,3}\b)|\bsum\b(?=\ (?:\d|[A-Za-z]+_))|\bsqrt(?=\())
+  | (?<=[\w)\]|>])(?P<power>%s|(?<=[)|])_[a-z\d]\b)
+  | (?P<sign>[<>]=|\bgrad\b(?=\ \w{1,3}\b|[()])|\bsum\b(?=\ (?:\d|\(?[A-Za-z]+_))|\bsqrt(?=\()
+        |\bint\b|(?<=\w\ )x(?=\ \()|(?<=_\w\ )x(?=\ \w_))
+  | (?<![\w'])(?<!\d\ (?=[smNVKJWCgx]\b))
+        (?P<letter>[b-zB-HJ-Z]|d[a-np-zA-Z]|[aAI](?=\ ?[=<>^)/]))(?!\w|['-]\w)
 """ % (LETTERS, SCRIPTS, LETTERS, POWER), re.X)
 
 
 def scriptsOf(text):
     markup = ""
-    for sign, body in re.findall(r"([_^])(\([^()]*\)|-\d/\d|-?[A-Za-z0-9.,]+'?)", text):
+    for sign, body in re.findall(r"([_^])(%s|-\d/\d|-?[A-Za-z0-9.,]+'?)" % GROUP, text):
         body = body[1:-1] if body.startswith("(") else body
         name = "sub" if sign == "_" else "sup"
         markup += tag(name, GREEK.get(body, body.replace("-", "−")))
@@ -404,9 +408,10 @@ def sentence(text, isTheory):
             return shown + scriptsOf(found["scripts"])
         if found["power"]:
             return scriptsOf(found["power"])
+        if found.get("unit"):
+            return found["unit"]
         if found.get("sign"):
-            sign = found["sign"]
-            return {"grad": "∇", "sum": "∑", "sqrt": "√"}.get(sign) or SIGNS[sign]
+            return {"sqrt": "√", **LARGE, **NAMED, **SIGNS}[found["sign"]]
         return tag("i", GREEK.get(found["greek"]) or found["letter"])
 
     parts = re.split(r"(`[^`]*`|\]\([^)]*\)|</?a\b[^>]*>|<!--.*?-->)", text, flags=re.S)

@@ -1,4 +1,5 @@
-"""The space around the clumps of a case, from its mesh and fields.
+"""The space around the clumps of a case, from its mesh and fields, and units and colours of
+pictures.
 
     from clumpDomain import Domain, lengthUnit
     domain = Domain("case")
@@ -28,6 +29,34 @@ sys.dont_write_bytecode = True
 vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "u", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+
+
+# Of the types in their order, for pictures
+TYPE_COLOURS = {
+    "red": (0.78, 0.13, 0.13), "blue": (0.12, 0.35, 0.75), "orange": (0.9, 0.55, 0.1),
+    "green": (0.2, 0.55, 0.25), "purple": (0.5, 0.3, 0.65), "grey": (0.35, 0.35, 0.35),
+    "teal": (0.1, 0.6, 0.6), "brown": (0.55, 0.35, 0.2), "pink": (0.9, 0.45, 0.65),
+}
+
+
+def hasFluid(case):
+    """Whether the case has a fluid; without one its mesh may be any size."""
+    return os.path.exists(os.path.join(case, "constant", "transportProperties"))
+
+
+def gravity(case):
+    """The components of constant/g, zero without it."""
+    path = os.path.join(case, "constant", "g")
+    found = None
+    if os.path.exists(path):
+        with open(path) as file:
+            found = re.search(r"^\s*value\s*\(([^)]*)\)", file.read(), re.M)
+    return [float(word) for word in found.group(1).split()] if found else [0.0]*3
+
+
+def typeColour(kind):
+    """Name and components of the colour of a type by its number."""
+    return list(TYPE_COLOURS.items())[kind % len(TYPE_COLOURS)]
 
 
 def fitting(unit, most):

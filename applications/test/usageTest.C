@@ -111,6 +111,8 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<clumpShapes::shape>("../clumpSpheres/shapes");
     run<clumpShapes::shape>("../clumpMembranes/shapes");
     rmDir(surface.path());
+
+    // NOTE: a new family of models needs a line here, and a page in bin/developer/modelReference
     run<bondModel>("../clumpSpheres/bondModels");
     run<dampingModel>("../clumpSpheres/dampingModels");
     run<integrator>("integrators");

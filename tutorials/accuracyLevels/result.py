@@ -1,5 +1,5 @@
 """Angle by which the red cell has turned, its difference to that of the finest level, the cost."""
-from clumpTables import seconds_of_steps, table
+from clumps import seconds_of_steps, table
 
 
 def angle(level):

@@ -1,6 +1,6 @@
 """Diameters of the fitted cell at one force, with those of the table."""
 import csv
-from clumpTables import table
+from clumps import table
 
 FORCE = 109.0           # pN, constant/clumpProperties
 with open("measured.csv") as file:

@@ -1,6 +1,6 @@
 """How far from the corner of the electrodes the beads are, and where theory has them."""
 from math import hypot, pi
-from clumpTables import table
+from clumps import table
 
 VOLTAGE, ANGLE = 10, 0.5            # V, rad, between the electrodes
 PERMITTIVITY, FACTOR = 6.95e-10, -0.47

@@ -1,6 +1,6 @@
 """Time constant of the elongation, and that of the theory."""
 from math import exp
-from clumpTables import table
+from clumps import table
 
 FORCE = 2e-12           # N, constant/clumpProperties
 STIFFNESS = 1e-5        # N/m, E A/L

@@ -1,5 +1,5 @@
 """Largest distance between the red cells of the serial and of the parallel run over time."""
-from clumpTables import table
+from clumps import table
 
 LENGTHS = {"x": 30e-6, "y": 1, "z": 20e-6}      # periods in x and z (system/blockMeshDict)
 

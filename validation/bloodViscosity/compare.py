@@ -32,7 +32,7 @@ for run in main:
     results.report(f"{name}: share of the contacts in the stress",
                    run["contact_Pa"]/run["tau_Pa"], "-", "contactStress")
     results.report(f"{name}: diffusion across, over rate and radius squared",
-                   run["diffusion_m2_s"]/(run["rate"]*RADIUS**2), "-", "clumpDiffusion.py")
+                   run["diffusion_m2_s"]/(run["rate"]*RADIUS**2), "-", "clumps.py diffusion")
     results.add(f"{name}: deepest overlap", run["overlap"], "sphere radii", 0, 0.05,
                 "mean over time of the deepest")
     change = 100*(run["phi"]*VOLUME/(run["cells"]*UNION) - 1)

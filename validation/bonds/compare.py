@@ -2,7 +2,7 @@
 convergence; figure."""
 import math
 
-from clumpTables import table
+from clumps import table
 from results import Results, plt, read, save
 
 REFERENCE = "reference/beam_ring_references.csv"

@@ -2,7 +2,7 @@
 import sys
 from math import degrees, pi
 
-from clumpTables import table
+from clumps import table
 
 case, parameters, shear, R, correctors, seconds = sys.argv[1:]
 radius = float(R)

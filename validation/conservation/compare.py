@@ -3,7 +3,7 @@
 import math
 import re
 from statistics import median_high as median
-from clumpTables import table
+from clumps import table
 from results import Results, plt, read, save
 
 BOX = 20e-6

@@ -2,7 +2,7 @@
 figure."""
 import math
 
-from clumpTables import table
+from clumps import table
 from results import Results, plt, read, save, write_table
 
 REST = 7.6e-6

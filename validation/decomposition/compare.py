@@ -1,7 +1,7 @@
 """Largest difference of force and position of the cell over all steps, relative to drag and cell
 size."""
 
-from clumpTables import table
+from clumps import table
 from results import Results, write_table
 
 CELL = 7.82e-6

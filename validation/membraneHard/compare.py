@@ -1,6 +1,6 @@
 """Whether every case ran to its end with all its steps converged, the volume kept and nothing
 folded through itself."""
-import clumpSpheres
+import clumps
 import numpy as np
 from matplotlib.collections import PolyCollection
 from results import Results, plt, read, save
@@ -30,7 +30,7 @@ figure, axes = plt.subplots(2, (len(rows) + 1)//2, figsize=(8, 3.8), squeeze=Fal
 for axis in axes.flat:
     axis.axis("off")
 for number, (row, axis) in enumerate(zip(rows, axes.flat), 1):
-    membrane = clumpSpheres.membranes(clumpSpheres.frames(f"case{number}")[-1][1])
+    membrane = clumps.membranes(clumps.frames(f"case{number}")[-1][1])
     x = 1e6*membrane["x"]
     seen = np.argsort(x[membrane["triangles"]][:, :, 2].mean(axis=1))
     axis.add_collection(PolyCollection(x[membrane["triangles"][seen]][:, :, :2], facecolor="C3",

@@ -5,9 +5,8 @@ triangles that share an edge at any time written."""
 import re
 import sys
 
-import clumpSpheres
+import clumps
 import numpy as np
-from clumpTables import table
 
 case, name = sys.argv[1:]
 with open(f"{case}/log.rbcIbFoam") as file:
@@ -18,7 +17,7 @@ missed = re.findall(r"(\d+) of \d+ steps did not reach", log)
 
 def fold(path):
     """Largest angle between the normals of neighbouring triangles [degrees]."""
-    membranes = clumpSpheres.membranes(path)
+    membranes = clumps.membranes(path)
     x, triangles = membranes["x"], membranes["triangles"]
     a, b, c = (x[triangles[:, i]] for i in range(3))
     n = np.cross(b - a, c - a)
@@ -34,14 +33,14 @@ def fold(path):
     return np.degrees(np.arccos(smallest))
 
 
-rows = table(case, "clumpShape")
+rows = clumps.table(case, "clumpShape")
 first = rows[0]
 volume = max(abs(r["volume"]/first["volume"] - 1) for r in rows)
 middle = len(rows)//2
 area, length = (max(r[c] for r in rows)/first[c] for c in ("area", "L1"))
 later = [max(r[c] for r in rows[middle:])/max(r[c] for r in rows[:middle])
          for c in ("area", "L1")]
-folds = max(fold(path) for _, path in clumpSpheres.frames(case))
+folds = max(fold(path) for _, path in clumps.frames(case))
 print(f"{name},{len(correctors)},{'yes' if re.search('^End', log, re.M) else 'no'},"
       f"{sum(correctors)/max(len(correctors), 1):.2f},"
       f"{len(re.findall('is repeated with', log))},{missed[0] if missed else 0},"

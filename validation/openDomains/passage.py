@@ -5,7 +5,7 @@ leaving.csv. Jumps are second differences: what a step changes beyond the trend 
 """
 
 import sys
-from clumpTables import table
+from clumps import table
 
 case = sys.argv[1]
 forces = table(case, "clumpForce")

@@ -4,8 +4,7 @@ import re
 import sys
 from math import atan2, cos, degrees, hypot, pi, sin
 
-from clumpSpheres import frames, membranes
-from clumpTables import table
+from clumps import frames, membranes, table
 
 kind = sys.argv[1]
 case = {"sheared": "sheared", "turned": "sheared", "tube": "tube"}.get(kind, "stretch")

@@ -9,7 +9,7 @@ ring's axis.
 import math
 import sys
 import numpy as np
-from clumpSpheres import frames, spheres
+from clumps import frames, spheres
 
 case = sys.argv[1]
 radius = 1.4756e-6       # of the healthy cell's spheres

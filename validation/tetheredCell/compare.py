@@ -7,7 +7,7 @@ import os
 import re
 import sys
 from results import Results, plt, read, save, write_table
-from clumpTables import seconds_of_steps, table
+from clumps import seconds_of_steps, table
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)),
                              "../../tutorials/tetheredCell/microchannel"))
 from cellDrag import reference, spheres  # noqa: E402

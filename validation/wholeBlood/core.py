@@ -9,7 +9,7 @@ line of least squares through the velocities of the bins there.
 import sys
 
 import numpy as np
-from clumpTables import table
+from clumps import table
 
 GAP = 20e-6         # [m]
 

@@ -30,6 +30,7 @@ autoPtr<bondModel> modelOf(const string& text)
 
 TEST_CASE("bond models: the axial law is the gradient of its energy", "[bonds][serial]")
 {
+    // NOTE: a new bond model needs a line here; its force and tangent are tested by this
     const string text = GENERATE
     (
         "type elastic;",

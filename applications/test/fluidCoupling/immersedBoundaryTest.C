@@ -423,6 +423,7 @@ TEST_CASE("boundary: a clump of many spheres is as one of few", "[boundary][seri
 
 TEST_CASE("boundary: every solid fraction with every forcing", "[boundary][serial]")
 {
+    // NOTE: new models of both kinds need a word here
     const word fraction = GENERATE
     (
         word("fullCells"), word("signedDistance"), word("tetClipping"),

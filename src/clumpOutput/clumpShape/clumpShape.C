@@ -107,6 +107,8 @@ bool Foam::functionObjects::clumpShape::read(const dictionary& dict)
 Foam::functionObjects::tableHeader
 Foam::functionObjects::clumpShape::header() const
 {
+    // NOTE: a new column has its name and unit here, its meaning in explain, and its value at the
+    // same place in row
     return
         tableHeader("Shape of each clump")
        .addVector("L", "m").add("L1", "m").add("L2", "m").add("L3", "m")

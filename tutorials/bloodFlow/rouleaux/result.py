@@ -3,7 +3,7 @@
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from clumpTables import table
+from clumps import table
 
 clusters, viscosity = table(".", "clumpClusters"), table(".", "apparentViscosity")
 

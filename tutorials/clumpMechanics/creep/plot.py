@@ -1,5 +1,5 @@
 """Length of the red cell and its normalised creep compliance (Eq. 14 of the paper) over time."""
-from clumpTables import table
+from clumps import table
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402

@@ -1,5 +1,5 @@
 """Deflection of the fibre over time, with the elastica."""
-from clumpTables import table
+from clumps import table
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402

@@ -1,6 +1,6 @@
 """Axial and transverse diameter over force, with the experiment."""
 import csv
-from clumpTables import table
+from clumps import table
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402

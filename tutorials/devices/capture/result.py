@@ -3,7 +3,7 @@
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from clumpTables import table
+from clumps import table
 
 RATE = 100/1.0          # of the shear rate [1/s2]
 VISCOSITY = 1.2e-3      # [Pa s]

@@ -8,7 +8,7 @@ import csv
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from clumpTables import table
+from clumps import table
 
 WIDTH = 50                              # of the duct [um]
 

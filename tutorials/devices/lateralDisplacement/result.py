@@ -12,7 +12,7 @@ import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from clumpTables import table
+from clumps import table
 
 PERIOD, RADIUS, TANGENT = 20, 5, 0.1        # of the array [um], of the flow
 GAP = PERIOD - 2*RADIUS

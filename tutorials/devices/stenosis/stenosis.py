@@ -11,8 +11,7 @@ import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from clumpSpheres import drawSpheres, frames
-from clumpTables import table
+from clumps import drawSpheres, frames, table
 
 VOLUME = 94             # of a red cell [um3]
 DEPTH = 10              # of the channel [um]

@@ -8,8 +8,7 @@ import csv
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from clumpSpheres import drawSpheres, frames
-from clumpTables import table
+from clumps import drawSpheres, frames, table
 
 # The trap, from constant/triSurface/trap.stl [um], and its pocket
 POST = [(20, 4.5), (26, 4.5), (26, 1), (29, 1), (29, 7), (20, 7)]

@@ -1,7 +1,7 @@
 """Deformation of the capsule at the end, and the motion of its membrane around it."""
 import re
 from math import degrees, pi
-from clumpTables import table
+from clumps import table
 
 HEIGHT = 24e-6          # between the walls (system/blockMeshDict)
 with open("0.orig/U") as file:

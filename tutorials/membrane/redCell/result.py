@@ -1,7 +1,7 @@
 """Motion of the red cell in the two media, over the strain of the flow."""
 import matplotlib
 import numpy as np
-from clumpTables import table
+from clumps import table
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt     # noqa: E402

@@ -1,14 +1,13 @@
 """When the red cell is in the slit, and how it is deformed there."""
 
-import clumpSpheres
-from clumpTables import table
+from clumps import frames, membranes, table
 
 SLIT = 14, 20           # [um]
 
 
 ends = []
-for time, path in clumpSpheres.frames():
-    x = 1e6*clumpSpheres.membranes(path)["x"][:, 0]
+for time, path in frames():
+    x = 1e6*membranes(path)["x"][:, 0]
     ends.append((1e3*time, x.min(), x.max()))
 print("front enters at %.0f ms, rear at %.0f ms; front leaves at %.0f ms, rear at %.0f ms" % tuple(
     next((time for time, *x in ends if x[end] > place), float("nan"))

@@ -3,7 +3,7 @@
 from collections import defaultdict
 from math import hypot
 
-from clumpTables import table
+from clumps import table
 
 rows = table(".", "clumpForce")
 for label, time in ("first", rows[0]["time"]), ("last", rows[-1]["time"]):

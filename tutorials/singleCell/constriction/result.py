@@ -1,5 +1,5 @@
 """Length of the red cell at the start, at most and at the end, and its volume."""
-from clumpTables import table
+from clumps import table
 
 shape = table(".", "clumpShape")
 length = [1e6*row["L1"] for row in shape]

@@ -1,6 +1,6 @@
 """Rotation of the red cell at the end, and half the shear rate."""
 import re
-from clumpTables import table
+from clumps import table
 
 HEIGHT = 22.5e-6        # between the walls (system/blockMeshDict)
 with open("0.orig/U") as file:

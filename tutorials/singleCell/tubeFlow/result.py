@@ -1,5 +1,5 @@
 """Speed of the red cell at the end, and its distance from the axis."""
-from clumpTables import table
+from clumps import table
 
 MEAN = 0.8e-3           # m/s, constant/fvOptions
 cell = table(".", "clumpForce")[-1]

@@ -5,7 +5,7 @@ of them, between the walls and beside the periodic images, at zero Reynolds numb
 mesh (surfaceDrag.py, slitMobility.py).
 """
 
-import clumpSpheres
+import clumps
 from slitMobility import Slit
 from surfaceDrag import drag
 
@@ -15,7 +15,7 @@ height, length, width = 50.0, 50.0, 25.0
 
 def spheres(case='.'):
     """Centres, radii [um] and clump numbers at the last time the case wrote."""
-    s = clumpSpheres.spheres(clumpSpheres.frames(case)[-1][1])
+    s = clumps.spheres(clumps.frames(case)[-1][1])
     return 1e6*s['x'], 1e6*s['radius'], s['clump']
 
 

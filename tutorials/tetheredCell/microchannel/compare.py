@@ -4,7 +4,7 @@ reference (cellDrag.py)."""
 
 import sys
 import numpy as np
-from clumpTables import table
+from clumps import table
 from cellDrag import mu, reference, spheres
 from surfaceDrag import ringDrag
 

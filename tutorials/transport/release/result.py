@@ -1,5 +1,5 @@
 """How fast the drug leaves the capsule, and where it is at the end."""
-from clumpTables import table
+from clumps import table
 
 rows = table(".", "drug")
 first, last = rows[0], rows[-1]

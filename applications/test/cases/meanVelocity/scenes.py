@@ -8,7 +8,7 @@ import math
 import os
 import sys
 
-from clumpTables import table
+from clumps import table
 
 SIZE = 20e-6                    # edge of the box [m]
 NU = 1e-6                       # of the Newtonian liquid [m2/s]

@@ -350,6 +350,7 @@ def injects(patches):
     return write
 
 
+# NOTE: a new feature needs a line here, and one in FORBIDDEN for what it can not be combined with
 FEATURES = {
     "mesh": {
         "box": lambda scene: blocks(scene, "16 13 13"),

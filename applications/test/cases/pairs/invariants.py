@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 
-from clumpTables import table
+from clumps import table
 from features import BODIES, END, FEATURES, FLIGHT, LENGTHS, OFFSET, RADIUS, SPEED, Scene
 from known import KNOWN
 

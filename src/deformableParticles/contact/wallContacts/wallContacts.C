@@ -136,7 +136,11 @@ void Foam::wallContacts::measureGap(const Cloud<clumpParcel>& clumps)
         {
             const scalar r = type.radii()[i];
             const scalar limit = min(20*r, walls_->known());
-            gap_ = min(gap_, walls_->distance(centres[i], limit) - r);
+            const scalar nearest = min(limit, gap_ + r);    // what is farther does not count
+            if (nearest > 0)
+            {
+                gap_ = min(gap_, walls_->distance(centres[i], nearest) - r);
+            }
             sight_ = min(sight_, limit - r);
             radius_ = max(radius_, r);
         }

@@ -263,7 +263,7 @@ Foam::incompressibleFlow::incompressibleFlow
         carriedU_.reset(new carriedVelocity(*U_));
         if (control_->dict().getOrDefault<Switch>("wallMobility", true))
         {
-            mobility_.reset(new fluidMobility(*U_));
+            mobility_.reset(new wallMobility(*U_));
         }
     }
 }
@@ -463,21 +463,21 @@ void Foam::incompressibleFlow::meshChanged()
     }
     if (mobility_.valid())
     {
-        mobility_->meshChanged(*U_);
+        mobility_->meshChanged();
     }
 }
 
 
 Foam::tmp<Foam::volScalarField> Foam::incompressibleFlow::pressureMobility
 (
-    const volScalarField& A
+    tmp<volScalarField> tA
 )
 {
     if (mobility_.valid())
     {
-        return mobility_->value(A, viscosity());
+        tA.ref() += mobility_->resistance(nu());
     }
-    return 1/A;
+    return 1/tA;
 }
 
 

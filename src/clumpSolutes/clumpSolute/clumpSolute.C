@@ -136,6 +136,7 @@ void Foam::functionObjects::clumpSolute::start()
     inner_ = field(name + "Inside");
     outerContent_ = field(name + "Content");
     innerContent_ = field(name + "InsideContent");
+    bound_ = field(name + "Bound");
     outside_.reset(new phaseVolume(mesh_, name + "Volume"));
     inside_.reset(new phaseVolume(mesh_, name + "InsideVolume"));
 
@@ -158,8 +159,9 @@ void Foam::functionObjects::clumpSolute::start()
         initial[celli] = type(celli).initial(initial[celli]);
     }
     begin(*inner_, initial);
+    setBound();
     begin(*outerContent_, outside_->volume()*(*outer_));
-    begin(*innerContent_, inside_->volume()*(*inner_));
+    begin(*innerContent_, inside_->volume()*(*inner_ + *bound_));
 }
 
 
@@ -251,9 +253,13 @@ void Foam::functionObjects::clumpSolute::moveClumps()
     forAll(change, celli)
     {
         const scalar c = (*outer_)[celli];
-        const scalar in =
-            change[celli]
-           *(change[celli] > 0 ? type(celli).initial(c) : (*inner_)[celli]);
+        const scalar initial = type(celli).initial(c);
+        const scalar in = change[celli]
+           *(
+                change[celli] > 0
+              ? initial + type(celli).bound(initial)
+              : (*inner_)[celli] + (*bound_)[celli]
+            );
         const scalar out = -change[celli]*c;
         inner[celli] += in;
         outer[celli] += out;
@@ -448,6 +454,43 @@ Foam::functionObjects::clumpSolute::outsideEquation()
 }
 
 
+Foam::tmp<Foam::surfaceScalarField>
+Foam::functionObjects::clumpSolute::insideFaces() const
+{
+    volScalarField loose("loose", inside_->volume());
+    forAll(loose, celli)
+    {
+        loose[celli] = !(fixed(celli) && inside_->active(celli));
+    }
+    loose.correctBoundaryConditions();
+    return inside_->between()*neg(1 - 1e-9 - linearInterpolate(loose));
+}
+
+
+bool Foam::functionObjects::clumpSolute::binds() const
+{
+    for (const soluteType& t : types_)
+    {
+        if (t.binding())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::functionObjects::clumpSolute::setBound()
+{
+    volScalarField& b = *bound_;
+    forAll(b, celli)
+    {
+        b[celli] = type(celli).bound((*inner_)[celli]);
+    }
+    b.correctBoundaryConditions();
+}
+
+
 Foam::tmp<Foam::fvScalarMatrix>
 Foam::functionObjects::clumpSolute::insideEquation()
 {
@@ -464,7 +507,6 @@ Foam::functionObjects::clumpSolute::insideEquation()
         dimensionedScalar(dimArea/dimTime, Zero),
         zeroGradientFvPatchScalarField::typeName
     );
-    volScalarField loose("loose", volume);
     forAll(c, celli)
     {
         const bool keeps = fixed(celli) && inside_->active(celli);
@@ -478,15 +520,10 @@ Foam::functionObjects::clumpSolute::insideEquation()
             before[celli] = c[celli];
         }
         D[celli] = type(celli).diffusivity();
-        loose[celli] = !keeps;
     }
     D.correctBoundaryConditions();
-    loose.correctBoundaryConditions();
     c.correctBoundaryConditions();
-    const surfaceScalarField both
-    (
-        inside_->between()*neg(1 - 1e-9 - linearInterpolate(loose))
-    );
+    const surfaceScalarField both(insideFaces());
     const surfaceScalarField gamma
     (
         both*sameClump()*surfaces_->faceFraction()*nearness(-1)*linearInterpolate(D)
@@ -501,6 +538,90 @@ Foam::functionObjects::clumpSolute::insideEquation()
          == before/dt
         )
     );
+}
+
+
+Foam::tmp<Foam::fvScalarMatrix>
+Foam::functionObjects::clumpSolute::boundEquation()
+{
+    const dimensionedScalar dt("dt", dimTime, mesh_.time().deltaTValue());
+    volScalarField volume("volume", inside_->volume());
+    forAll(volume, celli)
+    {
+        if (!inside_->active(celli) || !type(celli).binding())
+        {
+            volume[celli] = 0;
+        }
+    }
+    return
+        fvm::Sp(volume/dt, *bound_)
+      + fvm::div
+        (
+            insideFaces()*inside_->flux(), *bound_, "div(phi," + outer_->name() + ")"
+        );
+}
+
+
+void Foam::functionObjects::clumpSolute::addBound
+(
+    fvScalarMatrix& inner,
+    const fvScalarMatrix& bound,
+    const scalarField& taken,
+    const scalarField& given
+)
+{
+    const volScalarField& c = *inner_;
+    volScalarField& b = *bound_;
+    const scalarField A(inner.A()().primitiveField() + taken);
+    const scalarField H(inner.H()().primitiveField() + given);
+    const scalarField boundA(bound.A()().primitiveField());
+    const scalarField boundH(bound.H()().primitiveField());
+    volScalarField slope("slope", 0*b/dimensionedScalar("one", b.dimensions(), 1));
+    forAll(c, celli)
+    {
+        const boundModel* model = type(celli).binding();
+        if (model && inside_->active(celli) && boundA[celli] > 0)
+        {
+            // Towards the solution with the neighbours as they are
+            slope[celli] = model->chord
+            (
+                c[celli],
+                model->free
+                (
+                    A[celli]/boundA[celli], (H[celli] + boundH[celli])/boundA[celli]
+                )
+            );
+            b[celli] -= slope[celli]*c[celli];
+        }
+    }
+    slope.correctBoundaryConditions();
+    b.correctBoundaryConditions();
+
+    // b = slope c + rest: each column of the matrix times the slope of its mesh cell
+    inner.source() += rest(bound);
+    fvScalarMatrix linear(bound);
+    linear.diag() *= slope.primitiveField();
+    const labelUList& own = mesh_.owner();
+    const labelUList& nei = mesh_.neighbour();
+    scalarField& lower = linear.lower();
+    scalarField& upper = linear.upper();
+    forAll(nei, facei)
+    {
+        lower[facei] *= slope[own[facei]];
+        upper[facei] *= slope[nei[facei]];
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchScalarField& s = slope.boundaryField()[patchi];
+        linear.internalCoeffs()[patchi] *= s.patchInternalField();
+        if (s.coupled())
+        {
+            linear.boundaryCoeffs()[patchi] *= s.patchNeighbourField();
+        }
+    }
+    inner.lduMatrix::operator+=(linear);
+    inner.internalCoeffs() += linear.internalCoeffs();
+    inner.boundaryCoeffs() += linear.boundaryCoeffs();
 }
 
 
@@ -577,30 +698,50 @@ void Foam::functionObjects::clumpSolute::solve()
     // OpenFOAM's residuals are wrong for numbers as small as the volume of a mesh cell
     const dimensionedScalar scale("scale", dimless, dt/gAverage(V));
 
-    scalarField A(inner.A()().primitiveField());
+    const bool binding = binds();
+    autoPtr<fvScalarMatrix> bound;
+    if (binding)
+    {
+        setBound();
+        bound.reset(new fvScalarMatrix(boundEquation()));
+    }
+
     scalarField outerRest(c.size());
     scalarField innerRest(c.size());
     scalarList released(types_.size());
     constexpr label mostIterations = 100;
     for (label n = 0; n < mostIterations; ++n)
     {
-        // What is inside follows what is outside, as far as its own mesh cell goes
-        const scalarField H(inner.H()().primitiveField());
-        fvScalarMatrix outerEqn(outer);
         scalarField reaction(c.size(), Zero);
         scalarField supply(c.size(), Zero);
+        scalarField crossing(k);
         forAll(k, celli)
         {
             const soluteType& t = type(celli);
-            const scalar K = t.partition();
             if (inside_->active(celli) && !t.fixed())
             {
                 const scalar e = inside_->volume()[celli];
                 reaction[celli] = e*t.coefficient(ci[celli]);
                 supply[celli] = e*t.source();
             }
+            crossing[celli] /= t.partition();
+        }
+        fvScalarMatrix innerEqn(inner);
+        if (binding)
+        {
+            addBound(innerEqn, *bound, reaction + crossing, supply + k*c.primitiveField());
+        }
+
+        // What is inside follows what is outside, as far as its own mesh cell goes
+        const scalarField A(innerEqn.A()().primitiveField());
+        const scalarField H(innerEqn.H()().primitiveField());
+        fvScalarMatrix outerEqn(outer);
+        forAll(k, celli)
+        {
             if (k[celli] > 0)
             {
+                const soluteType& t = type(celli);
+                const scalar K = t.partition();
                 const scalar a = K*(A[celli] + reaction[celli]);
                 const scalar part = t.fixed() ? 1 : a/(a + k[celli]);
                 const scalar free =
@@ -612,12 +753,12 @@ void Foam::functionObjects::clumpSolute::solve()
         outerEqn *= scale;
         outerEqn.solve(mesh_.solverDict(c.name()));
 
-        fvScalarMatrix innerEqn(inner);
         forAll(k, celli)
         {
-            const soluteType& t = type(celli);
-            const scalar from = t.fixed() ? 0 : k[celli];
-            innerEqn.diag()[celli] += V[celli]*(from/t.partition() + reaction[celli]);
+            const bool follows = !fixed(celli);
+            const scalar from = follows ? k[celli] : 0;
+            innerEqn.diag()[celli] +=
+                V[celli]*((follows ? crossing[celli] : 0) + reaction[celli]);
             innerEqn.source()[celli] += V[celli]*(from*c[celli] + supply[celli]);
         }
         innerEqn *= scale;
@@ -625,6 +766,11 @@ void Foam::functionObjects::clumpSolute::solve()
 
         outerRest = rest(outer);
         innerRest = rest(inner);
+        if (binding)
+        {
+            setBound();
+            innerRest += rest(*bound);
+        }
         released = Zero;
         forAll(k, celli)
         {
@@ -647,7 +793,7 @@ void Foam::functionObjects::clumpSolute::solve()
             }
         }
         const scalar left = gSumMag(outerRest) + gSumMag(innerRest);
-        if (left*dt <= tolerance_*content || (!reaches && n > 0))
+        if (left*dt <= tolerance_*content || (!reaches && !binding && n > 0))
         {
             break;
         }
@@ -655,7 +801,9 @@ void Foam::functionObjects::clumpSolute::solve()
     released_ = released;
     for (label patchi = 0; patchi < through_.size(); ++patchi)
     {
-        through_[patchi] = outflow(outer, patchi) + outflow(inner, patchi);
+        through_[patchi] =
+            outflow(outer, patchi) + outflow(inner, patchi)
+          + (binding ? outflow(*bound, patchi) : 0);
     }
 
     forAll(c, celli)
@@ -665,7 +813,7 @@ void Foam::functionObjects::clumpSolute::solve()
           ? outside_->volume()[celli]*c[celli] + dt*outerRest[celli]/V[celli] : 0;
         (*innerContent_)[celli] =
             !inside_->active(celli) ? 0
-          : inside_->volume()[celli]*ci[celli]
+          : inside_->volume()[celli]*(ci[celli] + (*bound_)[celli])
           + (fixed(celli) ? 0 : dt*innerRest[celli]/V[celli]);
     }
 }
@@ -694,7 +842,9 @@ void Foam::functionObjects::clumpSolute::writeClumps()
         {
             sums(surfaces_->idOf(celli), Zero) += mesh_.V()[celli]*vector
             (
-                (*innerContent_)[celli], inside_->volume()[celli], 0
+                (*innerContent_)[celli],
+                inside_->volume()[celli],
+                inside_->volume()[celli]*(*bound_)[celli]
             );
         }
     }
@@ -706,14 +856,15 @@ void Foam::functionObjects::clumpSolute::writeClumps()
     tableHeader header("Content of each clump");
     header
        .add("time", "s").add("clump").add("origProc").add("content", "C.m3")
-       .add("volume", "m3")
+       .add("volume", "m3").add("bound", "C.m3")
        .explain("clump origProc", "number of the clump, and of the processor that it is of")
-       .explain("content volume", "in the mesh cells that it is the nearest of all clumps to");
+       .explain("content volume", "in the mesh cells that it is the nearest of all clumps to")
+       .explain("bound", "part of the content that is bound");
     Ostream& os = clumpTable_.open(header);
     for (const labelPair& id : sums.sortedToc())
     {
         os  << mesh_.time().timeOutputValue() << '\t' << id.second() << '\t' << id.first()
-            << '\t' << sums[id].x() << '\t' << sums[id].y() << nl;
+            << '\t' << sums[id].x() << '\t' << sums[id].y() << '\t' << sums[id].z() << nl;
     }
     clumpTable_.flush();
 }
@@ -799,6 +950,10 @@ bool Foam::functionObjects::clumpSolute::write()
         inner_->write();
         outerContent_->write();
         innerContent_->write();
+        if (binds())
+        {
+            bound_->write();
+        }
         outside_->write();
         inside_->write();
     }

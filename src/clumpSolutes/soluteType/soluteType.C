@@ -19,7 +19,7 @@ Foam::soluteType::soluteType(const dictionary& dict, const scalar diffusivity)
         dict,
         {
             "permeability", "diffusivity", "partition", "initial", "concentration",
-            "source", "rate", "maxUptake", "halfConcentration"
+            "source", "rate", "maxUptake", "halfConcentration", "bound"
         }
     );
     if (dict.found("initial"))
@@ -29,7 +29,7 @@ Foam::soluteType::soluteType(const dictionary& dict, const scalar diffusivity)
     if (dict.found("concentration"))
     {
         concentration_ = getNonNegative(dict, "concentration");
-        for (const word key : {"initial", "source", "rate", "maxUptake"})
+        for (const word key : {"initial", "source", "rate", "maxUptake", "bound"})
         {
             if (dict.found(key))
             {
@@ -39,6 +39,10 @@ Foam::soluteType::soluteType(const dictionary& dict, const scalar diffusivity)
                     << " one of them." << exit(FatalIOError);
             }
         }
+    }
+    if (dict.found("bound"))
+    {
+        bound_.reset(selectModel<boundModel>(getDict(dict, "bound")).ptr());
     }
     permeability_ = getNonNegativeOrDefault
     (

@@ -244,11 +244,14 @@ void Foam::membranes::warnOfLeaks
     reduceList(apart, maxEqOp<scalar>());
     forAll(apart, typei)
     {
-        const scalar allowed = min(surfaces_->kernel(typei).support(), scalar(1.5));
-        if (apart[typei] > 0)
+        // Types of pieces that have broken off, and those without a membrane, have no kernel
+        if (apart[typei] == 0)
         {
-            unchecked_.erase(typei);
+            continue;
         }
+        unchecked_.erase(typei);
+
+        const scalar allowed = min(surfaces_->kernel(typei).support(), scalar(1.5));
         if (apart[typei] > allowed)
         {
             WarningInFunction

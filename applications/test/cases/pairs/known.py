@@ -39,4 +39,7 @@ FOUND = [
     {"mesh": "refined", "boundaries": "periodicWalls", "disturbance": "restart"},
     {"mesh": "split", "boundaries": "periodic", "gravity": "on", "step": "adjustable",
      "bodies": "several", "disturbance": "restart"},
+    {"mesh": "split", "boundaries": "mixed", "density": "300", "driving": "inlet",
+     "injection": "bothEnds", "bodies": "capsuleAndRing", "bonds": "brittle",
+     "disturbance": "otherRanks"},
 ]

@@ -40,6 +40,6 @@ FOUND = [
     {"mesh": "split", "boundaries": "periodic", "gravity": "on", "step": "adjustable",
      "bodies": "several", "disturbance": "restart"},
     {"mesh": "split", "boundaries": "mixed", "density": "300", "driving": "inlet",
-     "injection": "bothEnds", "bodies": "capsuleAndRing", "bonds": "brittle",
+     "outer": "3", "injection": "bothEnds", "bodies": "capsuleAndRing", "bonds": "brittle",
      "disturbance": "otherRanks"},
 ]

@@ -293,6 +293,9 @@ class Judge:
         n = sum(row["time"] < until for row in rows(other, "mean"))
         if n == 0:
             return
+        if len(a) < len(b):
+            self.fail(f"{name}: {len(a)} and {len(b)} steps")
+            return
         self.check(f"{name}: largest velocity", np.abs(a[-len(b):] - b)[:n].max()/self.speed,
                    limit)
         force = [column([r for r in rows(case, "clumpForce") if r["time"] < until],

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from clumpDomain import fitting
-from clumps import membranes, spheres, statistics
+from clumps import statistics
 
 from clumpReport.plots import BLOCKS, FLAT, groups, rounded
 
@@ -134,15 +134,6 @@ def branches(run):
     return result
 
 
-def inside(run, frame):
-    """Number of clumps by type at a time that VTK/clumps has."""
-    found = {}
-    for part in spheres(frame[1]), membranes(frame[1]):
-        for clump, kind in set(zip(part["clump"], part["type"])):
-            found.setdefault(run.types[int(kind)], set()).add(clump)
-    return Counter({name: len(clumps) for name, clumps in found.items()})
-
-
 def balance(run):
     """Rows of clumps by type: at the start, through each patch, at the end; the first has the
     names of the columns. What is not known is left out."""
@@ -151,11 +142,11 @@ def balance(run):
         else run.log.passages()
     columns = {}
     if run.frames and run.frames[0][0] == 0:
-        columns["at the start"] = inside(run, run.frames[0])
+        columns["at the start"] = run.inside(run.frames[0][1])
     for event, patch in sorted({passage[1:] for passage in passed}):
         columns[f"{event} through {patch}"] = Counter(
             kind for kind, *through in passed if through == [event, patch])
     if run.frames:
-        columns["at the end"] = inside(run, run.frames[-1])
+        columns["at the end"] = run.inside(run.frames[-1][1])
     rows = [[name, *(number[name] for number in columns.values())] for name in run.allTypes()]
     return [["clumps", *columns], *rows] if columns else [[]]

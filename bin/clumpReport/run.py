@@ -4,6 +4,7 @@ import math
 import os
 import re
 import sys
+from collections import Counter
 from functools import cached_property
 
 import numpy as np
@@ -59,7 +60,7 @@ class Run:
             sys.exit(f"There is no {path}: run rbcIbFoam > log.rbcIbFoam in the case")
         self.case, self.log = case, Log(path)
         self.name = os.path.basename(os.path.abspath(case))
-        self.read = {}
+        self.read, self.numbers = {}, {}
         self.frames = frames(case) if seriesFile(case) else []
         # Names of the types in the order of their numbers
         self.types = typeNames(self.frames[-1][1]) if self.frames else []
@@ -80,8 +81,16 @@ class Run:
         """Of a file of VTK/clumps, by number of the type: places and radii of the spheres, nodes
         and triangles of membranes."""
         if path not in self.read:
-            self.read[path] = dict(byType(spheres(path), membranes(path)))
+            s, m = spheres(path), membranes(path)
+            self.read[path] = dict(byType(s, m))
+            self.numbers[path] = Counter(kind for _, kind in {
+                pair for part in (s, m) for pair in zip(part["clump"], part["type"])})
         return self.read[path]
+
+    def inside(self, path):
+        """Number of clumps by the name of their type in a file of VTK/clumps."""
+        self.clumps(path)
+        return Counter({self.types[int(kind)]: n for kind, n in self.numbers[path].items()})
 
     def allTypes(self):
         """Names of the types in the order of their colours."""

@@ -706,6 +706,7 @@ void Foam::functionObjects::clumpSolute::solve()
         bound.reset(new fvScalarMatrix(boundEquation()));
     }
 
+    scalarField A(inner.A()().primitiveField());
     scalarField outerRest(c.size());
     scalarField innerRest(c.size());
     scalarList released(types_.size());
@@ -714,26 +715,29 @@ void Foam::functionObjects::clumpSolute::solve()
     {
         scalarField reaction(c.size(), Zero);
         scalarField supply(c.size(), Zero);
-        scalarField crossing(k);
+        scalarField crossing(c.size(), Zero);
         forAll(k, celli)
         {
             const soluteType& t = type(celli);
+            if (!t.fixed())
+            {
+                crossing[celli] = k[celli]/t.partition();
+            }
             if (inside_->active(celli) && !t.fixed())
             {
                 const scalar e = inside_->volume()[celli];
                 reaction[celli] = e*t.coefficient(ci[celli]);
                 supply[celli] = e*t.source();
             }
-            crossing[celli] /= t.partition();
         }
         fvScalarMatrix innerEqn(inner);
         if (binding)
         {
             addBound(innerEqn, *bound, reaction + crossing, supply + k*c.primitiveField());
+            A = innerEqn.A()().primitiveField();
         }
 
         // What is inside follows what is outside, as far as its own mesh cell goes
-        const scalarField A(innerEqn.A()().primitiveField());
         const scalarField H(innerEqn.H()().primitiveField());
         fvScalarMatrix outerEqn(outer);
         forAll(k, celli)
@@ -755,10 +759,8 @@ void Foam::functionObjects::clumpSolute::solve()
 
         forAll(k, celli)
         {
-            const bool follows = !fixed(celli);
-            const scalar from = follows ? k[celli] : 0;
-            innerEqn.diag()[celli] +=
-                V[celli]*((follows ? crossing[celli] : 0) + reaction[celli]);
+            const scalar from = fixed(celli) ? 0 : k[celli];
+            innerEqn.diag()[celli] += V[celli]*(crossing[celli] + reaction[celli]);
             innerEqn.source()[celli] += V[celli]*(from*c[celli] + supply[celli]);
         }
         innerEqn *= scale;

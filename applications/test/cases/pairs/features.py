@@ -31,8 +31,9 @@ FIELD = 'libs ("libfieldFunctionObjects.so"); log no; writeFields no; ' + EACH
 class Scene:
     """Files of a case as texts; what is added later overrides what stands before."""
 
-    def __init__(self, row):
+    def __init__(self, row, nudge=0):
         self.row = row
+        self.nudge = nudge*RADIUS*1e6   # of all clumps, along (1 1 1) [um]
         self.files = {}
         self.utilities = ["blockMesh"]  # in this order
         self.patches = {}               # of each side, x0 to z1: "wall", "cyclic" or "patch"
@@ -269,8 +270,9 @@ def place(scene, *clumps):
         at[0] += scene.shear*at[1]
         scene.starts.append((name, *(velocity or [(0, 0, 0)])))
         start = "velocity (%g %g %g);" % velocity[0] if velocity else ""
-        text += "{ type %s; position (%.4ge-6 %.4ge-6 %.4ge-6); axis (0 0 1); angle 8; %s }\n" % (
-            name, *at, start)
+        at = [float("%.4g" % x) + scene.nudge for x in at]
+        text += "{ type %s; position (%.14ge-6 %.14ge-6 %.14ge-6); axis (0 0 1); angle 8; %s }\n" \
+            % (name, *at, start)
     scene.add("constant/clumpProperties", f"placement {{ type list; clumps ( {text} ); }}")
 
 

@@ -10,6 +10,7 @@ with the undisturbed run: kill (-9) and go on, restart at half time, and the sam
 of ranks.
 """
 
+import functools
 import os
 import re
 import shutil
@@ -201,6 +202,12 @@ def runRow(row, folder):
     scene = Scene(row)
     judge = Judge(scene)
     kind, ranks = row["disturbance"], int(row["ranks"])
+
+    @functools.lru_cache
+    def nudged():
+        place = os.path.join(folder, "nudged")
+        return Case(place, 1).write(Scene(row, nudge=1e-9)).solve().folder
+
     try:
         case = Case(os.path.join(folder, "run"), ranks).write(scene)
         fresh = case.copy(os.path.join(folder, "fresh")) if kind == "kill" else None
@@ -208,11 +215,12 @@ def runRow(row, folder):
         judge.run(case.folder)
         if ranks > 1:
             serial = Case(os.path.join(folder, "serial"), 1).write(scene).solve()
-            judge.agree("serial equals parallel", serial.folder, case.folder)
+            judge.agree("serial equals parallel", serial.folder, case.folder, nudged)
         if kind != "none":
             other = disturbed(kind, case, fresh)
             if kind == "otherRanks":
-                judge.agree("restart on %d ranks" % other.ranks, case.folder, other.folder)
+                judge.agree("restart on %d ranks" % other.ranks, case.folder, other.folder,
+                            nudged)
             else:
                 files = list(sameBits(case, other))
                 judge.check(kind + ": files that differ", len(files), 0, " ".join(files[:3]))

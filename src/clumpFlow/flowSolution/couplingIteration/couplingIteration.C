@@ -32,6 +32,14 @@ scalarField velocityScale
     return Foam::sqrt(6*pi*(around > 0 ? around : largest))*Foam::sqrt(radii);
 }
 
+void append(DynamicList<scalar>& list, const vector& v)
+{
+    for (const scalar component : v)
+    {
+        list.append(component);
+    }
+}
+
 }
 
 
@@ -93,6 +101,24 @@ void Foam::couplingIteration::refuseLaggingContact() const
 }
 
 
+Foam::scalarField Foam::couplingIteration::scales() const
+{
+    const scalar largest = gMax(flow_.nu().primitiveField());
+    DynamicList<scalar> result(pressureScale(flow_.nu()));
+    for (const clumpParcel& parcel : cloud_)
+    {
+        const scalarField& r = cloud_.type(parcel).dragRadii();
+        const scalarField scale(velocityScale(r, largest, parcel.step().nu));
+        forAll(r, i)
+        {
+            append(result, vector::uniform(scale[i]));
+            append(result, vector::uniform(scale[i]*r[i]));
+        }
+    }
+    return scalarField(result);
+}
+
+
 Foam::scalarField Foam::couplingIteration::unknowns
 (
     const scalarField& p,
@@ -103,22 +129,16 @@ Foam::scalarField Foam::couplingIteration::unknowns
     const scalar level =
         flow_.p().needReference() ? gSumProd(p, V)/gSum(V) : 0;
 
-    const scalar largest = gMax(flow_.nu().primitiveField());
-    DynamicList<scalar> x(pressureScale(flow_.nu())*(p - level));
+    DynamicList<scalar> x(p - level);
     for (const clumpParcel& parcel : cloud_)
     {
         const clumpStep& step = parcel.step();
         const vectorField& u = imposed ? step.imposedU : step.end.u;
         const vectorField& w = imposed ? step.imposedW : step.end.w;
-        const scalarField& r = cloud_.type(parcel).dragRadii();
-        const scalarField scale(velocityScale(r, largest, step.nu));
         forAll(u, i)
         {
-            for (direction d = 0; d < vector::nComponents; ++d)
-            {
-                x.append(scale[i]*u[i][d]);
-                x.append(scale[i]*r[i]*w[i][d]);
-            }
+            append(x, u[i]);
+            append(x, w[i]);
         }
     }
     return scalarField(x);
@@ -129,23 +149,21 @@ void Foam::couplingIteration::add(const scalarField& change)
 {
     volScalarField& p = flow_.p();
     const label nCells = p.size();
-    p.primitiveFieldRef() +=
-        SubField<scalar>(change, nCells)/pressureScale(flow_.nu());
+    p.primitiveFieldRef() += SubField<scalar>(change, nCells);
     p.correctBoundaryConditions();
 
-    const scalar largest = gMax(flow_.nu().primitiveField());
     label k = nCells;
     for (clumpParcel& parcel : cloud_)
     {
         clumpState& end = parcel.step().end;
-        const scalarField& r = cloud_.type(parcel).dragRadii();
-        const scalarField scale(velocityScale(r, largest, parcel.step().nu));
-        forAll(r, i)
+        forAll(end.u, i)
         {
-            for (direction d = 0; d < vector::nComponents; ++d)
+            for (vector* v : {&end.u[i], &end.w[i]})
             {
-                end.u[i][d] += change[k++]/scale[i];
-                end.w[i][d] += change[k++]/(scale[i]*r[i]);
+                for (direction d = 0; d < vector::nComponents; ++d)
+                {
+                    (*v)[d] += change[k++];
+                }
             }
         }
     }
@@ -207,9 +225,13 @@ bool Foam::couplingIteration::converged()
     {
         acceleration_->clear();
     }
-    const scalarField x(unknowns(p0_, true));
-    const scalarField r(unknowns(flow_.p(), false) - x);
-    add(acceleration_->correction(x, r));
+    if (acceleration_->empty())
+    {
+        scales_ = scales();
+    }
+    const scalarField x(scales_*unknowns(p0_, true));
+    const scalarField r(scales_*unknowns(flow_.p(), false) - x);
+    add(acceleration_->correction(x, r)/scales_);
     cloud_.imposeEnd();
     return false;
 }
@@ -298,7 +320,7 @@ void Foam::couplingIteration::endStep()
         Info<< "Outer correctors: " << nCorrectors_ << ", residual " << last_
             << endl;
         ++nSteps_;
-        if (nCorrectors_ == flow_.control().nCorrPIMPLE() && missed())
+        if (missed())
         {
             ++nMissed_;
             worst_ = max(worst_, last_);

@@ -66,23 +66,23 @@ void Foam::heldMeanVelocity::beginStep()
 
 bool Foam::heldMeanVelocity::sameMatrix
 (
-    const lduMatrix& matrix,
+    const fvVectorMatrix& matrix,
+    const scalarField& D,
     const scalarField& rAtU,
     const scalar part
 ) const
 {
-    const auto differ = [part](const scalar a, const scalar b, const scalar size)
+    // All coefficients of a row are compared with its diagonal, in which the faces
+    // between processors count as all others
+    bool same = D.size() == D_.size();
+    const auto compare = [&](const scalar now, const scalar then, const label celli)
     {
-        return mag(a - b) > part*size;
+        same = same && mag(now - then) <= part*mag(D_[celli]);
     };
-    const scalarField& D = matrix.diag();
-    const scalarField& D0 = matrix_->diag();
-    bool same = D.size() == D0.size();
     for (label i = 0; same && i < D.size(); ++i)
     {
-        same =
-            !differ(D[i], D0[i], mag(D0[i]))
-         && !differ(rAtU[i], rAtU_[i], mag(rAtU_[i]));
+        compare(D[i], D_[i], i);
+        same = same && mag(rAtU[i] - rAtU_[i]) <= part*mag(rAtU_[i]);
     }
     const labelUList& owner = matrix.lduAddr().lowerAddr();
     const labelUList& neighbour = matrix.lduAddr().upperAddr();
@@ -91,10 +91,20 @@ bool Foam::heldMeanVelocity::sameMatrix
     same = same && U.size() == matrix_->upper().size();
     for (label i = 0; same && i < U.size(); ++i)
     {
-        const scalar size = min(mag(D0[owner[i]]), mag(D0[neighbour[i]]));
-        same =
-            !differ(L[i], matrix_->lower()[i], size)
-         && !differ(U[i], matrix_->upper()[i], size);
+        compare(U[i], matrix_->upper()[i], owner[i]);
+        compare(L[i], matrix_->lower()[i], neighbour[i]);
+    }
+    forAll(matrix.psi().boundaryField(), patchi)
+    {
+        const fvPatchVectorField& pf = matrix.psi().boundaryField()[patchi];
+        const labelUList& cells = pf.patch().faceCells();
+        const vectorField& now = matrix.boundaryCoeffs()[patchi];
+        const vectorField& then = boundaryCoeffs_[patchi];
+        same = same && now.size() == then.size();
+        for (label i = 0; pf.coupled() && same && i < cells.size(); ++i)
+        {
+            compare(cmptAv(now[i]), cmptAv(then[i]), cells[i]);
+        }
     }
     return returnReduce(same, andOp<bool>());
 }
@@ -102,17 +112,20 @@ bool Foam::heldMeanVelocity::sameMatrix
 
 void Foam::heldMeanVelocity::forgetOld
 (
-    const lduMatrix& matrix,
+    const fvVectorMatrix& matrix,
     const scalarField& rAtU
 )
 {
     const scalar part = stepBegins_ ? 0 : 0.1;
-    if (!matrix_.valid() || !sameMatrix(matrix, rAtU, part))
+    const scalarField D(matrix.D());
+    if (!matrix_.valid() || !sameMatrix(matrix, D, rAtU, part))
     {
         const label n = responses_.size();
         responses_.clear();
         responses_.setSize(n);
         matrix_.reset(new lduMatrix(matrix));
+        boundaryCoeffs_ = FieldField<Field, vector>(matrix.boundaryCoeffs());
+        D_ = D;
         rAtU_ = rAtU;
     }
     stepBegins_ = false;

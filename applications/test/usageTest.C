@@ -119,7 +119,7 @@ TEST_CASE("usage: what the headers show can be run", "[usage][serial]")
     run<integrator>("../paperModels/integrators");
     run<contactModel>("contact/contactModels");
     run<gapModel>("../clumpGaps/gapModels");
-    run<load>("clump/loads");
+    run<load>("../clumpLoads/loads");
     for (const fileName folder : {"fluidCoupling", "../paperModels"})
     {
         run<solidFractionModel>(folder/"solidFractionModels");

@@ -13,7 +13,7 @@ Foam::membraneEquilibrium::membraneEquilibrium
 )
 :
     mechanics_(type, dict),
-    minimiser_(type, mechanics_.neighbourOrder())
+    minimiser_(type, mechanics_.neighbourOrder(), mechanics_.neighbours())
 {
     if (mechanics_.shearStiffness() <= 0)
     {

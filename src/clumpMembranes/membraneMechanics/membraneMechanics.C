@@ -39,6 +39,22 @@ Foam::membraneMechanics::membraneMechanics
             << " example  strain { type neoHookean; shearModulus 5e-6; }"
             << exit(FatalIOError);
     }
+    if (type.size() > surface().nNodes())
+    {
+        neighbours_.setSize(type.size());
+        for (const membraneModel& model : models_)
+        {
+            model.addNeighbours(neighbours_);
+        }
+        if (neighbours_.last().empty())
+        {
+            FatalIOErrorInFunction(models)
+                << "Entry 'membrane': the shape of the type " << type.name()
+                << " has nodes inside that no model holds. Give it, for example,"
+                << "  solid { type neoHookeanSolid; shearModulus 1000; }  or the shape"
+                << " without 'filled'." << exit(FatalIOError);
+        }
+    }
     layer_.reset(new layerViscosity(type.surface(), type.centres()));
     folds_.reset
     (

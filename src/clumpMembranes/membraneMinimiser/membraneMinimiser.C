@@ -25,11 +25,12 @@ Foam::vectorField toField(const Eigen::VectorXd& v)
 Foam::membraneMinimiser::membraneMinimiser
 (
     const clumpType& type,
-    const label neighbourOrder
+    const label neighbourOrder,
+    const labelListList& more
 )
 :
     type_(type),
-    tangent_(type_.surface(), neighbourOrder)
+    tangent_(type_.surface(), neighbourOrder, more)
 {}
 
 

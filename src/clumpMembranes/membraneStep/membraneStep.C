@@ -5,6 +5,7 @@
 
 #include "membraneFactors.H"
 #include "membraneStep.H"
+#include "mathematicalConstants.H"
 
 namespace
 {
@@ -46,7 +47,7 @@ Foam::membraneStep::membraneStep
 :
     mechanics_(type, dict),
     contacts_(contacts),
-    minimiser_(type, mechanics_.neighbourOrder())
+    minimiser_(type, mechanics_.neighbourOrder(), mechanics_.neighbours())
 {}
 
 
@@ -55,6 +56,14 @@ void Foam::membraneStep::setFlowGeometry(clumpParcel& p, const pointField& x) co
     nodeFlow& flow = nodesOf(p);
     flow.areaVectors = surface().areaVectors(x);
     flow.areas = surface().nodeAreas(x);
+
+    // Of nodes inside, those of their resistance
+    const clumpType& type = mechanics_.type();
+    for (label i = surface().nNodes(); i < x.size(); ++i)
+    {
+        flow.areas[i] =
+            0.75*constant::mathematical::pi*type.halfWidth()*type.dragRadii()[i];
+    }
 }
 
 
@@ -180,7 +189,7 @@ Foam::scalarField Foam::membraneStep::edgeResistances
     const scalar edge = edgeCoefficient*8*mu*d/Foam::sqrt(scalar(3));
 
     // (1/zeta + S)^-1 and L do not exceed 1/S together
-    return edge*min(scalar(1), 1/(smeared*shortest*edge*(1 + smeared*zeta)));
+    return edge/max(scalar(1), smeared*shortest*edge*(1 + smeared*zeta));
 }
 
 
@@ -268,7 +277,7 @@ void Foam::membraneStep::advance
     const scalar harmonic = 2*mu*ratio/(1 + ratio);
 
     const scalarField smeared(flow.smoothing/(2*harmonic*flow.areas));
-    const vectorField n(flow.areaVectors/mag(flow.areaVectors));
+    const vectorField n(flow.normals());
     const vectorField unsmeared
     (
         flow.u + smeared*(flow.force - n*(n & flow.force))

@@ -5,18 +5,31 @@
 
 #include "membraneFactors.H"
 #include <algorithm>
+#include <set>
 
 Foam::membraneTangent::membraneTangent
 (
     const closedSurface& surface,
-    const label neighbourOrder
+    const label neighbourOrder,
+    const labelListList& more
 )
 :
-    lower_(3*surface.nNodes(), 3*surface.nNodes()),
-    later_(surface.nNodes())
+    lower_
+    (
+        3*max(surface.nNodes(), more.size()), 3*max(surface.nNodes(), more.size())
+    ),
+    later_(lower_.cols()/3)
 {
-    const label n = surface.nNodes();
-    const labelListList around(surface.nodesAround(neighbourOrder));
+    const label n = later_.size();
+    labelListList around(surface.nodesAround(neighbourOrder));
+    around.setSize(n);
+    forAll(more, i)
+    {
+        std::set<label> nodes({i});
+        nodes.insert(around[i].begin(), around[i].end());
+        nodes.insert(more[i].begin(), more[i].end());
+        around[i] = labelList(nodes.begin(), nodes.end());
+    }
     std::vector<int> counts(3*n);
     for (label i = 0; i < n; ++i)
     {

@@ -235,8 +235,11 @@ void Foam::membranes::warnOfLeaks
         if (unchecked_.found(typei))
         {
             const closedSurface& surface = types_[typei].surface();
-            const scalar h =
-                average(surfaces_->widths(image, surface.areaVectors(image.x)));
+            const scalarField widths
+            (
+                surfaces_->widths(image, surface.areaVectors(image.x))
+            );
+            const scalar h = sum(widths)/surface.nNodes();
             apart[typei] =
                 max(apart[typei], surface.edgeLength(image.x)/max(h, VSMALL));
         }
@@ -430,7 +433,7 @@ void Foam::membranes::sharpen
         nodeFlow& nodes = nodesOf(p);
         const clumpType& type = types_[p.typeId()];
         const scalar ratio = type.viscosityRatio();
-        const vectorField n(nodes.areaVectors/mag(nodes.areaVectors));
+        const vectorField n(nodes.normals());
         vectorField kink(n.size(), Zero);
         if (other)
         {

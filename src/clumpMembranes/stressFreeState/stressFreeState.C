@@ -276,6 +276,13 @@ Foam::pointField Foam::stressFreeState::positions() const
     {
         return type_.centres();
     }
+    if (type_.size() > type_.surface().nNodes())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'type' is " << form << ": the shape of the type " << type_.name()
+            << " is filled, and the nodes inside have no place in another one. Valid"
+            << " here: shape, scaled" << exit(FatalIOError);
+    }
     const word kept(dict.getOrDefault<word>("keep", "area"));
     if (kept != "area" && kept != "volume")
     {

@@ -57,6 +57,9 @@ Foam::scalarField Foam::functionObjects::clumpDeformation::arealStrains
     {
         return scalarField(x.size(), Zero);
     }
+    const scalarField rest(type.surface().nodeAreas(type.centres()));
+
+    // Nodes inside have no area
     return
-        type.surface().nodeAreas(x)/type.surface().nodeAreas(type.centres()) - 1;
+        (type.surface().nodeAreas(x) - rest)/max(rest, VSMALL);
 }

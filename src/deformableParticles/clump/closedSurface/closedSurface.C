@@ -233,7 +233,7 @@ Foam::scalar Foam::closedSurface::volume(const pointField& x) const
 
 Foam::vectorField Foam::closedSurface::areaVectors(const pointField& x) const
 {
-    vectorField g(nNodes_, Zero);
+    vectorField g(x.size(), Zero);
     for (const triFace& t : triangles_)
     {
         const vector S(areaVector(t, x)/3);
@@ -248,7 +248,7 @@ Foam::vectorField Foam::closedSurface::areaVectors(const pointField& x) const
 
 Foam::scalarField Foam::closedSurface::nodeAreas(const pointField& x) const
 {
-    scalarField a(nNodes_, Zero);
+    scalarField a(x.size(), Zero);
     for (const triFace& t : triangles_)
     {
         const scalar third = mag(areaVector(t, x))/3;
@@ -268,7 +268,7 @@ Foam::scalarField Foam::closedSurface::divergence
 ) const
 {
     // The integral over the area of a triangle is that of the flux across its edges
-    scalarField integrals(nNodes_, Zero);
+    scalarField integrals(x.size(), Zero);
     for (const triFace& t : triangles_)
     {
         const vector n(t.areaNormal(x)/max(mag(t.areaNormal(x)), VSMALL));

@@ -104,10 +104,17 @@ Foam::clumpType::clumpType(const word& name, const dictionary& dict)
     pairs_ = geometry->bonds();
     if (geometry->triangles().size())
     {
-        surface_.reset
+        // Further centres are those of nodes inside
+        label last = 0;
+        for (const triFace& t : geometry->triangles())
+        {
+            last = max(last, max(t[0], max(t[1], t[2])));
+        }
+        const pointField nodes
         (
-            new closedSurface(centres_, geometry->triangles(), dict)
+            SubField<point>(centres_, min(last + 1, centres_.size()))
         );
+        surface_.reset(new closedSurface(nodes, geometry->triangles(), dict));
     }
     if (ofSpheres())
     {
@@ -237,6 +244,13 @@ void Foam::clumpType::setSurfaceMasses(const scalar density)
 
     halfWidth_ = 3*volume_/area;
     dragRadii_ = 4*area*fractions/(3*constant::mathematical::pi*halfWidth_);
+
+    // A node inside has the resistance of an area: its share of the volume over R
+    for (label i = surface_->nNodes(); i < size(); ++i)
+    {
+        dragRadii_[i] =
+            4*volume_/(3*constant::mathematical::pi*size()*sqr(halfWidth_));
+    }
     bodyRadii_ = scalarField(size(), halfWidth_);
     transitions_ = radii_;
 }

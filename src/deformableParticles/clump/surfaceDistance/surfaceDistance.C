@@ -35,7 +35,11 @@ Foam::surfaceDistance::surfaceDistance
     const pointField& x
 )
 :
-    surface_(trianglesOf(surface), x),
+    // Without nodes inside
+    surface_
+    (
+        trianglesOf(surface), pointField(SubField<point>(x, surface.nNodes()))
+    ),
     // With the default tolerance
     search_(surface_, -1, depth(surface_.size()))
 {}

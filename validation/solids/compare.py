@@ -7,6 +7,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "ref
 from ellipsoid import course, spheroid  # noqa: E402
 from results import Results, plt, read, save  # noqa: E402
 
+# Misses of D by nodes outside, viscosity ratio and Poisson ratio, see the page
+KNOWN = {(2, 5, 0.4): 0.13722, (2, 1, 0.2): 0.21937}
+
 SOURCE = "exact ellipsoid in unbounded shear (reference/ellipsoid.py)"
 
 runs = {}
@@ -58,7 +61,7 @@ for key, rows in runs.items():
         results.add(f"mean D of the last ten shear times, {name}", sum(late)/len(late), "-",
                     sum(early)/len(early), "0.5%", "mean from 10 to 20")
         results.add(f"smallest over largest D of the last ten, {name}", min(late)/max(late), "-",
-                    1, 0.05, "steady")
+                    1, 0.02, "steady", 0.97513)
         continue
     known = (ratio, Ca)
     if known not in exact or exact[known][-1][0] < end:
@@ -67,8 +70,8 @@ for key, rows in runs.items():
     def at(t, column):
         return min(exact[known], key=lambda r: abs(r[0] - t))[column]
 
-    limit = "5%" if subdivisions >= 3 else "8%"
-    results.add(f"D at t = {end:g}, {name}", last["D"], "-", at(end, 1), limit, SOURCE)
+    results.add(f"D at t = {end:g}, {name}", last["D"], "-", at(end, 1), "5%", SOURCE,
+                KNOWN.get((subdivisions, ratio, poisson)))
     results.add(f"angle at t = {end:g}, {name}", last["angle_deg"], "degrees", at(end, 2), 1.5,
                 SOURCE)
     axes.plot([r["t"] for r in rows], [r["D"] for r in rows], ".", ms=4, label=name)

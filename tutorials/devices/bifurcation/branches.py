@@ -86,8 +86,8 @@ with open("result.csv", "w", newline="") as out:
                "%.3f" % priesSecomb(share), "%.3f" % haematocrit[b],
                "%.2f" % (haematocrit[b]/feed)]
         result.writerow(row)
-        print("%-6s %3s cells, %s of the flow, %s of the cells (Pries and Secomb %s), "
-              "haematocrit %s, skimming ratio %s" % tuple(row))
+        print("%-6s %3s cells, %s of the flow, %s of the cells (Pries and Secomb %s)"
+              "\n       haematocrit %s, skimming ratio %s" % tuple(row))
 
 # %% [markdown]
 # ## Pictures

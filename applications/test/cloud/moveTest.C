@@ -95,7 +95,7 @@ const string sine =
 }
 
 
-TEST_CASE("move: the centre is where the path has it, the rest is free", "[cloud][move]")
+TEST_CASE("move: the centre is where the path has it, the rest is free", "[cloud][move][serial]")
 {
     // The same with a uniform force of the constraint, which neither turns nor deforms
     std::vector<place> free;
@@ -213,7 +213,7 @@ TEST_CASE("move: a clump that is turned is rigid and may drift", "[cloud][move]"
 }
 
 
-TEST_CASE("move: force and torque balance what they change", "[cloud][move]")
+TEST_CASE("move: force and torque balance what they change", "[cloud][move][serial]")
 {
     autoPtr<openCloud> cloud
     (

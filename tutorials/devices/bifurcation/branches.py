@@ -1,8 +1,8 @@
-"""Counts the red cells that leave through each branch and draws them.
+"""Red cells, flow and haematocrit of the branches, and a picture.
 
 A notebook as a script: editors that know cells (# %%) run it cell by cell, python3 as a whole. It
-reads the tables clumpPassages (what entered and left), flowRight and flowLeft (volume flow through
-the branches) and the spheres in VTK/clumps, and writes result.csv and result.png.
+reads the table branchFlow (what has flowed through each patch, and the clumps with it) and the
+spheres in VTK/clumps, and writes result.csv and result.png.
 """
 
 # %% [markdown]
@@ -16,7 +16,6 @@ import matplotlib.pyplot as plt
 from clumps import drawSpheres, read
 
 BRANCHES = "right", "left"
-VOLUME = 94e-18         # of a red cell [m3]
 FEED = 0.2              # discharge haematocrit of the feed
 DIAMETER = 10           # of the channels [um]
 
@@ -24,21 +23,29 @@ run = read(".")
 
 # %% [markdown]
 # ## What has left where
-# `clumpPassages` has a row for every red cell that enters or leaves, with the name of the patch.
+# `branchFlow` has a row for every patch that clumps can cross, and one for `all` of them. Its
+# numbers are totals; outwards is positive.
 
 # %%
-passages = run["clumpPassages"]
-time, event, patch = passages["time"], passages["event"], passages["patch"]
-left = {b: time[(event == "left") & (patch == b)] for b in BRANCHES}
-entered = (event == "entered").sum()
+flows = run["branchFlow"]
+rows = {p: flows["patch"] == p for p in BRANCHES + ("inlet", "all")}
+time = flows["time"][rows["all"]]
+
+
+def total(patch, column, at=-1):
+    """Of a patch, at the end or in another row"""
+    return flows[column][rows[patch]][at]
+
+
 print("%d cells have entered, %d have left, %d are inside"
-      % (entered, (event == "left").sum(), entered - (event == "left").sum()))
+      % tuple(total("all", column) for column in ("entered", "left", "inside")))
 
 # %% [markdown]
 # ## Fractions of the cells and of the flow
-# From the time on at which the first cell leaves. The tables of OpenFOAM's function objects have
-# the time and one value. The law is that of Pries and Secomb (Microvascular blood viscosity and the
-# endothelial surface layer, Am. J. Physiol. 289, H2657, 2005) for branches of equal diameters.
+# From the first row on in which a cell has left: until then, plasma flows out. The law is that of
+# Pries and Secomb (Microvascular blood viscosity and the endothelial surface layer, Am. J. Physiol.
+# 289, H2657, 2005) for branches of equal diameters.
+# The haematocrit of a branch over that of the feed is the skimming ratio.
 
 
 # %%
@@ -52,27 +59,35 @@ def priesSecomb(flow, feed=FEED, diameter=DIAMETER):
     return 1/(1 + (s/(1 - s))**-b)
 
 
-flow = {b: run["flow" + b.capitalize()] for b in BRANCHES}
-end = flow["left"]["time"][-1]
-begin = min((t for times in left.values() for t in times), default=0)
-cells, volume = {}, {}
-for b in BRANCHES:
-    rate = flow[b][flow[b].columns[1]]
-    volume[b] = rate[flow[b]["time"] > begin].mean()*(end - begin)
-    cells[b] = (left[b] > begin).sum()
+end = time[-1]
+some = np.flatnonzero(flows["left"][rows["all"]])
+begin = some[0] if len(some) else 0
+
+
+def since(patch, column):
+    """What has flowed from that row on"""
+    return total(patch, column) - total(patch, column, begin)
+
+
+cells = {b: int(since(b, "left")) for b in BRANCHES}
+volume = {b: since(b, "V") for b in BRANCHES}
+haematocrit = {b: since(b, "Vc")/volume[b] for b in BRANCHES}
 allCells, allVolume = max(sum(cells.values()), 1), sum(volume.values())
+feed = total("inlet", "Hd")
+print("feed: haematocrit %.3f" % feed)
 
 with open("result.csv", "w", newline="") as out:
     result = csv.writer(out)
     result.writerow(["branch", "cells", "fraction_of_flow", "fraction_of_cells",
-                    "Pries_Secomb", "discharge_haematocrit"])
+                    "Pries_Secomb", "discharge_haematocrit", "skimming_ratio"])
     for b in BRANCHES:
         share = volume[b]/allVolume
         row = [b, cells[b], "%.3f" % share, "%.3f" % (cells[b]/allCells),
-               "%.3f" % priesSecomb(share), "%.3f" % (cells[b]*VOLUME/volume[b])]
+               "%.3f" % priesSecomb(share), "%.3f" % haematocrit[b],
+               "%.2f" % (haematocrit[b]/feed)]
         result.writerow(row)
-        print("%-6s %3s cells, %s of the flow, %s of the cells (Pries and Secomb %s), "
-              "haematocrit %s" % tuple(row))
+        print("%-6s %3s cells, %s of the flow, %s of the cells (Pries and Secomb %s)"
+              "\n       haematocrit %s, skimming ratio %s" % tuple(row))
 
 # %% [markdown]
 # ## Pictures
@@ -99,7 +114,7 @@ for b, colour in zip(BRANCHES, ("C3", "C0")):
     share = cells[b]/allCells
     error = np.sqrt(max(share*(1 - share), 1/allCells)/allCells)
     law.errorbar([volume[b]/allVolume], [share], [error], fmt="o", color=colour, capsize=3,
-                 label="%s, haematocrit %.2f" % (b, cells[b]*VOLUME/volume[b]))
+                 label="%s, haematocrit %.2f" % (b, haematocrit[b]))
 law.set_xlim(0, 1)
 law.set_ylim(0, 1)
 law.set_xlabel("fraction of the flow")

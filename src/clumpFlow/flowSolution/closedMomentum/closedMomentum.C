@@ -64,7 +64,7 @@ void Foam::closedMomentum::correct()
     {
         cloud_.motion().addInside(rho*flow_.excessInertia());
     }
-    if (!flowIsClosed_ || someFixed(cloud_))
+    if (!flowIsClosed_ || someFixed(cloud_) || cloud_.motion().prescribed())
     {
         return;
     }

@@ -18,8 +18,13 @@ namespace loads
 Foam::loads::hold::hold(const dictionary& dict)
 :
     load(dict, {"directions"}),
-    along_(Zero)
+    along_(projector(dict))
+{}
+
+
+Foam::symmTensor Foam::loads::hold::projector(const dictionary& dict)
 {
+    symmTensor result(Zero);
     const List<vector> directions(getFiniteList<vector>(dict, "directions"));
     if (directions.empty() || directions.size() > 3)
     {
@@ -30,13 +35,14 @@ Foam::loads::hold::hold(const dictionary& dict)
     for (const vector& direction : directions)
     {
         const vector n(direction/max(mag(direction), VSMALL));
-        if (mag(n) < 0.5 || mag(along_ & n) > 1e-6)
+        if (mag(n) < 0.5 || mag(result & n) > 1e-6)
         {
             FatalIOErrorInFunction(dict)
                 << "Entry 'directions' is " << directions
                 << "; they must not be zero and must be at right angles."
                 << exit(FatalIOError);
         }
-        along_ += sqr(n);
+        result += sqr(n);
     }
+    return result;
 }

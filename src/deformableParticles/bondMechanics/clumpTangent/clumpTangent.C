@@ -99,6 +99,7 @@ void Foam::clumpTangent::setZero()
         b.setZero();
     }
     rankOnes_.clear();
+    translates_ = false;
 }
 
 
@@ -133,12 +134,42 @@ void Foam::clumpTangent::addConstraint(const Eigen::VectorXd& g)
 }
 
 
+bool Foam::clumpTangent::factoriseSum(const scalar shift)
+{
+    // Pairs are stored once
+    Eigen::Matrix3d sum(Eigen::Matrix3d::Zero());
+    for (label j = 0; j < size(); ++j)
+    {
+        for (label a = pattern_.start(j); a < pattern_.start(j + 1); ++a)
+        {
+            const Eigen::Matrix3d K(values_[a].topLeftCorner<3, 3>());
+            sum += K;
+            if (pattern_.row(a) != j)
+            {
+                sum += K.transpose();
+            }
+        }
+    }
+    sum.diagonal().array() += size()*shift;
+
+    const Eigen::Matrix3d free(Eigen::Matrix3d::Identity() - held_);
+    const scalar scale = max(sum.trace(), VSMALL);
+    const Eigen::LLT<Eigen::Matrix3d> factor(free*sum*free + scale*held_);
+    inverse_ = free*factor.solve(free);
+    return factor.info() == Eigen::Success;
+}
+
+
 bool Foam::clumpTangent::factorise
 (
     const scalar shift,
     const scalar rotationShift
 )
 {
+    if (translates_)
+    {
+        return factoriseSum(shift);
+    }
     factor_ = values_;
     const labelList& targets = pattern_.targets();
     label next = 0;
@@ -208,6 +239,21 @@ void Foam::clumpTangent::substitute(Eigen::VectorXd& x) const
 
 void Foam::clumpTangent::solve(Eigen::VectorXd& x) const
 {
+    if (translates_)
+    {
+        Eigen::Vector3d sum(Eigen::Vector3d::Zero());
+        for (label i = 0; i < size(); ++i)
+        {
+            sum += x.segment<3>(6*i);
+        }
+        const Eigen::Vector3d d(inverse_*sum);
+        x.setZero();
+        for (label i = 0; i < size(); ++i)
+        {
+            x.segment<3>(6*i) = d;
+        }
+        return;
+    }
     substitute(x);
 
     correct(x, rankOnes_.size());

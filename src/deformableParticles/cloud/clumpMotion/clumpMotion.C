@@ -35,6 +35,12 @@ Foam::clumpMotion::clumpMotion
         clumps.effects().active("loads") ? &getDict(dict, "loads") : nullptr,
         clumps.typeIds()
     );
+    if (loads_.move() && !integrator_->implicit())
+    {
+        FatalIOErrorInFunction(getDict(dict, "integrator"))
+            << "Entry 'type' is " << integrator_->type() << ", which cannot move clumps by"
+            << " the load move. Valid: implicitEuler" << exit(FatalIOError);
+    }
     decisions_.refuseIdle(integrator_->implicit());
     for (clumpKind& kind : clumps.kinds())
     {
@@ -167,7 +173,7 @@ void Foam::clumpMotion::solveOnce(const scalar dt)
         clumpStep& step = p.step();
         if (!type(p).fixed() && type(p).ofSpheres())
         {
-            loads_.addHold(p, dt);
+            loads_.addConstraint(p, dt);
             momentum_.addStep(type(p), p.state(), step);
         }
         step.hasGuess = true;
@@ -187,7 +193,10 @@ void Foam::clumpMotion::advanceAll(const scalar dt)
             step.end.broken = p.state().broken;
         }
         setSteadyForces(p, dt);
-        step.forces.held = loads_.held(p.typeId());
+        loads_.prescribe
+        (
+            p.typeId(), clumps_.mesh().time().value() - dt, dt, step.forces
+        );
     }
     if (!loads_.empty())
     {
@@ -303,8 +312,24 @@ void Foam::clumpMotion::accept(const vector& flowChange)
 {
     clumps_.breakage().note(clumps_);
     const scalar dt = clumps_.mesh().time().deltaTValue();
+    constraints_.clear();
     for (clumpParcel& p : clumps_)
     {
+        if (tr(loads_.held(p.typeId())) > 0 || loads_.turn(p.typeId()))
+        {
+            const clumpType& ct = type(p);
+            const clumpStep& step = p.step();
+            const vector dx(step.end.centre(ct) - p.state().centre(ct));
+            constraints_.append
+            (
+                {
+                    p.origId(), p.typeId(),
+                    step.constraintForce, step.constraintTorque,
+                    p.unwrappedCentre(ct) + dx, step.end.velocity(ct),
+                    step.end.angularVelocity(ct)
+                }
+            );
+        }
         p.accept(type(p), dt*clumps_.meshVelocity(), flowChange);
     }
     contacting_.forget();
@@ -318,6 +343,23 @@ void Foam::clumpMotion::changeVelocities(const vector& dU)
         p.state().u += dU;
     }
     momentum_.correction = dU;
+}
+
+
+bool Foam::clumpMotion::impose(clumpParcel& p) const
+{
+    if (!loads_.move(p.typeId()))
+    {
+        return false;
+    }
+    clumpStep& step = p.step();
+    const vectorField before(step.imposedU);
+    loads_.impose
+    (
+        p, clumps_.mesh().time().deltaTValue(), step.imposedU, step.imposedW
+    );
+    step.imposedChange += step.imposedU - before;
+    return true;
 }
 
 
@@ -370,6 +412,17 @@ Foam::scalar Foam::clumpMotion::releaseStep(const scalar radii)
         ++index;
         if (ct.fixed())
         {
+            continue;
+        }
+        if (loads_.move(p.typeId()))
+        {
+            // As fast as in a next step of the length of this one
+            const Time& time = clumps_.mesh().time();
+            const scalar dt = time.deltaTValue();
+            externalForces ext;
+            loads_.prescribe(p.typeId(), time.value(), dt, ext);
+            const scalar way = mag(ext.moved) + ct.halfWidth()*mag(ext.turn);
+            result = min(result, dt*radii*ct.halfWidth()/max(way, VSMALL));
             continue;
         }
         vector F(Zero);

@@ -115,7 +115,9 @@ void Foam::deformableCloud::turnVelocities(const bool extrapolate)
     for (clumpParcel& p : *this)
     {
         clumpImage& image = ghosts_.images()[index++];
-        if (coupling_->turn(p, mesh_.time().deltaTValue(), extrapolate))
+        const bool turned =
+            coupling_->turn(p, mesh_.time().deltaTValue(), extrapolate);
+        if (motion().impose(p) || turned)
         {
             setVelocities(p, image);
         }

@@ -20,6 +20,7 @@ constexpr scalar rounding = 1e-11;
 struct coupledParts
 {
     clumpInteraction::coupledClump given;
+    const scalar dt;
 
     //- Forces of the stages, constant in them, and without their stiffness
     externalForces ext;
@@ -41,9 +42,10 @@ struct coupledParts
     vectorField receivedTorques;
     vector moment;
 
-    coupledParts(const clumpInteraction::coupledClump& m, const scalar dt)
+    coupledParts(const clumpInteraction::coupledClump& m, const scalar step)
     :
         given(m),
+        dt(step),
         ext(*m.ext),
         f(ext.f - ext.zeta*(m.start->u - ext.imposedU)),
         mass(dt*ext.zeta),
@@ -67,6 +69,8 @@ struct coupledParts
         ext.zetaR = inertia/h;
         ext.imposedU = start.u;
         ext.imposedW = start.w;
+        ext.moved = h/dt*given.ext->moved;
+        ext.turn = h/dt*given.ext->turn;
     }
 
     void receive(const clumpInteraction::coupledClump& m, const scalar fraction)
@@ -170,14 +174,21 @@ Foam::label Foam::impactStep::advanceInParts
     virial_ = Zero;
     UList<coupledClump>& clumps = coupledClumps();
 
+    // The force that moves a clump does work
+    bool worked = false;
+
     PtrList<coupledParts> parts(clumps.size());
     forAll(clumps, m)
     {
+        const externalForces& ext = *clumps[m].ext;
+        worked = worked || ext.turned || ext.moved != vector::zero;
         parts.set(m, new coupledParts(clumps[m], dt));
         clumps[m].start = &parts[m].start;
         clumps[m].ext = &parts[m].ext;
         *clumps[m].end = parts[m].begin;
     }
+
+    reduce(worked, orOp<bool>());
 
     label nSolves = 0;
     bool allComplete = true;
@@ -253,7 +264,7 @@ Foam::label Foam::impactStep::advanceInParts
         }
         solveStage(g*h);
         endStage(g*h/dt);
-        if (!turns() && !keepEnergy(before, h))
+        if (!turns() && !worked && !keepEnergy(before, h))
         {
             return false;
         }

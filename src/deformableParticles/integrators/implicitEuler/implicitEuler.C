@@ -50,13 +50,15 @@ void Foam::integrators::implicitEuler::advance
     const incrementalPotential potential(bonds, ext, dt, start);
 
     // Start from the motion at the old velocities if its potential is lower than
-    // that of the positions at the start
-    const scalar W0 = potential.value(s);
-    predict(type, dt, ext.held, s);
+    // that of the positions at the start, or of the prescribed motion alone
+    clumpState rest(start);
+    prescribe(type, ext, rest);
+    const scalar W0 = potential.value(rest);
+    predict(type, dt, ext, s);
     if (potential.value(s) > W0)
     {
-        s.x = start.x;
-        s.q = start.q;
+        s.x = rest.x;
+        s.q = rest.q;
     }
 
     newtonMinimiser newton(tolerance_, maxIterations_);
@@ -106,7 +108,7 @@ Foam::label Foam::integrators::implicitEuler::solve
         {
             if (s.x == start.x)
             {
-                predict(m.bonds->type(), dt, m.ext->held, s);
+                predict(m.bonds->type(), dt, *m.ext, s);
             }
             forAll(s.x, i)
             {
@@ -118,7 +120,10 @@ Foam::label Foam::integrators::implicitEuler::solve
                 steps.back().segment<6>(6*i) <<
                     dx.x(), dx.y(), dx.z(), phi.x(), phi.y(), phi.z();
             }
-            s = start;
+            if (!m.ext->turned && m.ext->moved == vector::zero)
+            {
+                s = start;
+            }
         }
     }
 
@@ -192,13 +197,19 @@ void Foam::integrators::implicitEuler::predict
 (
     const clumpType& type,
     const scalar dt,
-    const symmTensor& held,
+    const externalForces& ext,
     clumpState& s
 )
 {
-    const point centre(s.centre(type));
     const vector velocity(s.velocity(type));
-    const vector free(velocity - (held & velocity));
+    const vector freely(dt*(velocity - (ext.held & velocity)));
+    if (ext.turned)
+    {
+        prescribe(type, ext, s);
+        s.x += freely;
+        return;
+    }
+    const point centre(s.centre(type));
     const vector omega(s.angularVelocity(type));
     const quaternion turn(rotation(dt*omega));
     const tensor R(turn.R());
@@ -214,7 +225,7 @@ void Foam::integrators::implicitEuler::predict
         (
             (half & (s.u[i] - velocity)) - (omega ^ r)
         );
-        s.x[i] = centre + dt*free + (R & (r + dt*deformation));
+        s.x[i] = centre + ext.moved + freely + (R & (r + dt*deformation));
         s.q[i] = turn*rotation(dt*(s.w[i] - omega))*s.q[i];
     }
 }

@@ -138,7 +138,7 @@ Foam::scalar Foam::incrementalPotential::value
         W += group_->energy(groupIndex_);
         addInteraction(gradient, K);
     }
-    if (tr(ext_.held) > 0)
+    if (ext_.turned || tr(ext_.held) > 0)
     {
         hold(gradient, K);
     }
@@ -155,6 +155,28 @@ void Foam::incrementalPotential::hold
 {
     const scalarField share(type_.masses()/type_.mass());
     const Eigen::Matrix3d P(matrix(ext_.held));
+    if (ext_.turned)
+    {
+        // What is left of the forces and torques is their sum across the held directions
+        if (gradient)
+        {
+            Eigen::Vector3d F(Eigen::Vector3d::Zero());
+            forAll(share, i)
+            {
+                F += gradient->segment<3>(6*i);
+            }
+            gradient->setZero();
+            forAll(share, i)
+            {
+                gradient->segment<3>(6*i) = share[i]*(F - P*F);
+            }
+        }
+        if (K)
+        {
+            K->constrainToTranslation(P);
+        }
+        return;
+    }
     if (gradient)
     {
         Eigen::Vector3d H(Eigen::Vector3d::Zero());

@@ -5,6 +5,7 @@
 
 #include "integrator.H"
 #include "bondForces.H"
+#include "foamCompat.H"
 
 namespace Foam
 {
@@ -67,7 +68,8 @@ void Foam::integrator::balanceMomentum
         I += ((m + z)*magSqr(r) + J + JR)*tensor::I - (m + z)*(r*r);
     }
 
-    // What is missing where the centre is held is the force that holds it
+    // What is missing where the centre is held or moved is the force that does so, and
+    // likewise the torque that turns the clump
     P -= ext.held & P;
 
     // About the centre of that inertia, as zeta need not be proportional to m
@@ -77,11 +79,35 @@ void Foam::integrator::balanceMomentum
 
     const vector du(P/M);
     const scalar scale = tr(I);
-    const vector dw(inv(I/scale) & (L/scale));
+    const vector dw(ext.turned ? vector::zero : (inv(I/scale) & (L/scale)));
 
     forAll(s.x, i)
     {
         s.u[i] += du + (dw ^ (s.x[i] - centre - c));
         s.w[i] += dw;
+    }
+}
+
+
+void Foam::integrator::prescribe
+(
+    const clumpType& type,
+    const externalForces& ext,
+    clumpState& s
+)
+{
+    if (!ext.turned)
+    {
+        s.x += ext.moved;
+        return;
+    }
+    const point centre(s.centre(type));
+    const quaternion turn(rotation(ext.turn));
+    const tensor R(turn.R());
+    forAll(s.x, i)
+    {
+        s.x[i] = centre + ext.moved + (R & (s.x[i] - centre));
+        s.q[i] = turn*s.q[i];
+        normalise(s.q[i]);
     }
 }

@@ -301,9 +301,12 @@ void Foam::jointMinimiser::predict(const motions& steps)
             const clumpInteraction::coupledClump& clump = group_.coupledClumps()[m];
             if (!clump.hasGuess)
             {
+                // A prescribed motion has no parts
+                const bool whole =
+                    clump.ext->turned || clump.ext->moved != vector::zero;
                 newtonMinimiser::moveBy
                 (
-                    type(m), *clump.start, steps[m], fraction, *clump.end
+                    type(m), *clump.start, steps[m], whole ? 1 : fraction, *clump.end
                 );
                 moved_[m] = GREAT;
                 hasMoved_[m] = true;

@@ -196,6 +196,7 @@ void Foam::membraneInterior::set
         for (vector& n : normals_[a])
         {
             n.normalise();
+            n *= images[a].transform.invertsHands() ? -1 : 1;
         }
         for (const stencilCell& m : stencils[a])
         {

@@ -62,9 +62,12 @@ TEST_CASE("symmetry: images behind planes, an edge of two planes and periods", "
     const auto mesh = cellMesh("symmetryPlane", false);
     const symmetryPlanes planes(mesh->boundaryMesh());
     REQUIRE(planes.planes().size() == 2);
-    CHECK(planes.fault({period}).empty());
+    CHECK(planes.fault(List<vector>({period})).empty());
 
-    const auto images = planes.transforms({vector(Zero), period, -period});
+    const auto images = planes.transforms
+    (
+        List<vector>({vector(Zero), period, -period})
+    );
     REQUIRE(images.size() == 9);
     DynamicList<point> expected;
     for (const point& at : {point(-0.3, 0.5, 1), point(0.3, -0.5, 1), point(-0.3, -0.5, 1)})
@@ -85,7 +88,8 @@ TEST_CASE("symmetry: images behind planes, an edge of two planes and periods", "
 
     // Two that face each other have no image of an image
     const auto slit = cellMesh("symmetry", true);
-    const auto near = symmetryPlanes(slit->boundaryMesh()).transforms({vector(Zero)});
+    const auto near =
+        symmetryPlanes(slit->boundaryMesh()).transforms(List<vector>(1, vector(Zero)));
     REQUIRE(near.size() == 2);
     CHECK(mag(near[0].position(x).x() + near[1].position(x).x() - 3.4) < 1e-12);
 }
@@ -96,15 +100,15 @@ TEST_CASE("symmetry: planes that cannot be used are found", "[cloud]")
     // Not flat, at an angle, across the period
     const auto bent = cellMesh("symmetry", true, vector(0.2, 0, 0));
     const auto straight = cellMesh("symmetry", true);
-    const auto fault = [](const polyMesh& mesh, const UList<vector>& periods)
+    const auto fault = [](const polyMesh& mesh, const List<vector>& periods)
     {
         return symmetryPlanes(mesh.boundaryMesh()).fault(periods);
     };
-    CHECK(fault(*straight, {}).empty());
-    CHECK(fault(*bent, {}).find("Patch two of type symmetry is not flat") == 0);
+    CHECK(fault(*straight, List<vector>()).empty());
+    CHECK(fault(*bent, List<vector>()).find("Patch two of type symmetry is not flat") == 0);
     CHECK
     (
-        fault(*straight, {vector(0, 3, 0.1), vector(0.1, 0, 4)}).find("not parallel")
+        fault(*straight, List<vector>(1, vector(0.1, 0, 4))).find("not parallel")
      != std::string::npos
     );
 }

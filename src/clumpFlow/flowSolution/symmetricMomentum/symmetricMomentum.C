@@ -15,10 +15,12 @@ Foam::symmetricMomentum::symmetricMomentum(const fvVectorMatrix& UEqn)
     forAll(mesh.boundary(), patchi)
     {
         const fvPatch& patch = mesh.boundary()[patchi];
-        if (!symmetryPlanes::isOne(patch.patch()) || !patch.size())
+        if (!symmetryPlanes::isOne(patch.patch()))
         {
             continue;
         }
+
+        // Also where this processor has no face of it: the functions are collective
         missing_.setSize(mesh.nCells(), Zero);
         given_.setSize(mesh.nCells(), Zero);
         const vectorField n(patch.nf());

@@ -31,6 +31,7 @@ Description
 #include "rotationalCorrection.H"
 #include "runMonitor.H"
 #include "sourcesInBodies.H"
+#include "symmetricMomentum.H"
 
 int main(int argc, char* argv[])
 {

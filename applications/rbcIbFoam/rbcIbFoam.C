@@ -49,6 +49,7 @@ Description
 #include "runMonitor.H"
 #include "slidingMesh.H"
 #include "sourcesInBodies.H"
+#include "symmetricMomentum.H"
 #include "timeStepControl.H"
 
 int main(int argc, char* argv[])

@@ -61,7 +61,7 @@ TEST_CASE("ghosts: the owners of two clumps of any size that may meet know both"
                         known
                      || (
                             image.owner == proci && image.index == j
-                         && mag(image.shift - shift) < 1e-9
+                         && mag(image.transform.shift - shift) < 1e-9
                         );
                 }
                 nOverlapping += overlapping;

@@ -110,7 +110,10 @@ Foam::DynamicList<Foam::interiorFluids::part> Foam::interiorFluids::partsOf
         return parts;
     }
     const pointField x(centres);
-    const surfaceDistance surface(type.surface(), image.x);
+    const surfaceDistance surface
+    (
+        type.surface(), image.x, image.transform.invertsHands()
+    );
     const auto places = surface.nearest(x, farthest);
     const boolList within(surface.inside(x, places));
     forAll(parts, k)

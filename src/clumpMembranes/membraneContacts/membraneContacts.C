@@ -178,7 +178,10 @@ void Foam::membraneContacts::refuseOverlaps
             }
             if (typeOf(B).hasTriangles())
             {
-                const surfaceDistance distance(typeOf(B).surface(), B.x);
+                const surfaceDistance distance
+                (
+                    typeOf(B).surface(), B.x, B.transform.invertsHands()
+                );
                 for (const auto& p : distance.nearest(A.x, typeOf(B).halfWidth()))
                 {
                     overlap = overlap || (p.found && p.distance < 0);
@@ -352,9 +355,13 @@ const Foam::surfaceDistance& Foam::membraneContacts::distance
     body& b = bodies_[a];
     if (!b.distance.valid())
     {
+        const clumpImage& image = ghosts.images()[a];
         b.distance.reset
         (
-            new surfaceDistance(typeOf(ghosts.images()[a]).surface(), b.x)
+            new surfaceDistance
+            (
+                typeOf(image).surface(), b.x, image.transform.invertsHands()
+            )
         );
     }
     return *b.distance;
@@ -601,6 +608,7 @@ void Foam::membraneContacts::find
             if (type.hasTriangles())
             {
                 b.outwards = type.surface().areaVectors(b.x);
+                b.outwards *= images[a].transform.invertsHands() ? -1 : 1;
             }
         }
         b.box = boundBox(b.x, false);

@@ -8,6 +8,7 @@
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "linear.H"
+#include "mirroredValues.H"
 
 Foam::membraneInterior::membraneInterior
 (
@@ -164,7 +165,8 @@ Foam::tmp<Foam::volTensorField> Foam::membraneInterior::strain
     const scalar mu0
 ) const
 {
-    const volTensorField gradU("gradU", fvc::grad(U));
+    volTensorField gradU("gradU", fvc::grad(U));
+    setMirroredValues(gradU);
     const dimensionedScalar mu("mu", dimDynamicViscosity, mu0);
     return stressIn
     (
@@ -196,6 +198,7 @@ void Foam::membraneInterior::set
         for (vector& n : normals_[a])
         {
             n.normalise();
+            n *= images[a].transform.invertsHands() ? -1 : 1;
         }
         for (const stencilCell& m : stencils[a])
         {

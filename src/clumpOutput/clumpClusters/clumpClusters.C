@@ -76,10 +76,11 @@ bool Foam::functionObjects::clumpClusters::near
     const scalarField rA(a.hasTriangles() ? scalarField(A.x.size(), Zero) : a.radii());
     if (b.hasTriangles())
     {
-        const auto places = surfaceDistance(b.surface(), B.x).nearest
+        const surfaceDistance surface
         (
-            A.x, max(rA) + gap_
+            b.surface(), B.x, B.transform.invertsHands()
         );
+        const auto places = surface.nearest(A.x, max(rA) + gap_);
         forAll(places, i)
         {
             if (places[i].found && places[i].distance < rA[i] + gap_)

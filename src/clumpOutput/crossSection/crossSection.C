@@ -6,6 +6,7 @@
 #include "crossSection.H"
 #include "checkedEntries.H"
 #include "mathematicalConstants.H"
+#include "symmetryPlanes.H"
 
 using Foam::constant::mathematical::pi;
 
@@ -26,6 +27,21 @@ Foam::functionObjects::crossSection::crossSection
         FatalIOErrorInFunction(dict)
             << "Entry 'section' is " << section << ". Valid: slit, tube"
             << exit(FatalIOError);
+    }
+
+    const symmetryPlanes symmetric(mesh.boundaryMesh());
+    for (const symmetryPlanes::plane& plane : symmetric.planes())
+    {
+        // Of a slit it may end the width along the vorticity
+        const vector n(axes_.local(plane.n));
+        if (mag(n.x()) > 1e-3 || (tube_ && mag(n.y()) > 1e-3))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'section' is " << section << ", but patch "
+                << mesh.boundaryMesh()[plane.patch].name() << " is a plane of symmetry"
+                << " and no wall. Mesh both sides of it for this table."
+                << exit(FatalIOError);
+        }
     }
 
     vector low(vector::uniform(GREAT)), high(vector::uniform(-GREAT));

@@ -20,9 +20,10 @@ Foam::functionObjects::surroundingStress::places
     if (type.hasTriangles())
     {
         const vectorField S(type.surface().areaVectors(x));
+        const scalar sign = image.transform.invertsHands() ? -1 : 1;
         forAll(x, i)
         {
-            const vector n(S[i]/max(mag(S[i]), VSMALL));
+            const vector n(sign*S[i]/max(mag(S[i]), VSMALL));
             result.append(Tuple2<label, point>(i, x[i] + distance_*n));
         }
         return List<Tuple2<label, point>>(result);
@@ -99,27 +100,28 @@ Foam::List<Foam::scalarField> Foam::functionObjects::surroundingStress::find
       ? &cloud.boundary().solidFraction().primitiveField() : nullptr;
     for (clumpImage& image : ghosts_->images())
     {
-        image.clearForces();
+        image.moments.reset(image.x.size());
         for (const auto& place : places(cloud.types()[image.typeId], image))
         {
             const label celli = mesh_.findCell(place.second());
             if (celli >= 0 && !(solid && (*solid)[celli] > 0.5))
             {
                 const symmTensor E(symm(gradient()[celli]));
-                image.fluid.f[place.first()].x() +=
-                    rho*nu[celli]*Foam::sqrt(2*magSqr(E));
-                image.fluid.t[place.first()].x() += 1;
+                image.moments.m0[place.first()] += 1;
+                image.moments.m2[place.first()] +=
+                    rho*nu[celli]*Foam::sqrt(2*magSqr(E))*symmTensor::I;
             }
         }
     }
-    ghosts_->returnForces();
+    ghosts_->returnMoments();
 
     List<scalarField> result(ghosts_->nOwn());
     forAll(result, n)
     {
-        const imageForces& sums = ghosts_->images()[n].fluid;
-        const scalarField stress(sums.f.component(vector::X));
-        const scalarField number(sums.t.component(vector::X));
+        // The same in every frame
+        const nodeMoments& sums = ghosts_->images()[n].moments;
+        const scalarField stress(sums.m2.component(symmTensor::XX));
+        const scalarField& number = sums.m0;
         const scalar mean = sum(stress)/max(sum(number), scalar(1));
         result[n].setSize(stress.size());
         forAll(stress, i)

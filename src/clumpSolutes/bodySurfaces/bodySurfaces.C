@@ -146,7 +146,10 @@ Foam::bodySurfaces::places Foam::bodySurfaces::aroundSurface
         return result;
     }
     const pointField x(centres);
-    const surfaceDistance surface(type.surface(), image.x);
+    const surfaceDistance surface
+    (
+        type.surface(), image.x, image.transform.invertsHands()
+    );
     const auto nearest = surface.nearest(x, farthest);
     const boolList within(surface.inside(x, nearest));
     label n = 0;

@@ -24,7 +24,7 @@ scalar fading(const scalar part)
 }
 
 
-//- The clumps of all processors and their periodic images within reach of this mesh:
+//- The clumps of all processors and their images within reach of this mesh:
 //  where they come from, and their displacements
 void nearImages
 (
@@ -36,7 +36,7 @@ void nearImages
     DynamicList<vector>& ofImages
 )
 {
-    // To every processor the clumps and periodic images within reach of its box
+    // To every processor the clumps and images within reach of its box
     const auto imagesOf = [&]
     (
         const ghostExchange::partner& to,
@@ -45,15 +45,16 @@ void nearImages
     )
     {
         const boundBox box(grown(ghosts.box(to.proci), reach));
-        for (const label s : to.shifts)
+        for (const label s : to.transforms)
         {
-            const vector& shift = ghosts.shifts()[s];
+            const imageTransform& image = ghosts.transforms()[s];
             forAll(from, k)
             {
-                if (box.contains(from[k] + shift))
+                const point x(image.position(from[k]));
+                if (box.contains(x))
                 {
-                    near.append(from[k] + shift);
-                    ofNear.append(by[k]);
+                    near.append(x);
+                    ofNear.append(image.polar(by[k]));
                 }
             }
         }

@@ -10,6 +10,7 @@
 #include "fvcGrad.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
+#include "mirroredValues.H"
 #include "syncTools.H"
 
 namespace
@@ -275,6 +276,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::rateViscosity::stress()
     volVectorField& U = flow_.U();
     autoPtr<volTensorField> gradU;
     withExtended([&]{ gradU.reset(new volTensorField("gradU", fvc::grad(U))); });
+    setMirroredValues(*gradU);
     extend(*gradU);
     return
       - fvm::laplacian(onFaces()(), U, "laplacian(nuEff,U)")

@@ -70,7 +70,7 @@ word placedCondition(const GeometricField<Type, fvPatchField, volMesh>& field)
     const wordHashSet anywhere
     ({
         "fixedValue", "noSlip", "slip", "uniformFixedValue", "zeroGradient",
-        "fixedFluxPressure"
+        "fixedFluxPressure", "symmetryPlane", "symmetry"
     });
     const label n = field.mesh().boundaryMesh().nNonProcessor();
     for (label patchi = 0; patchi < n; ++patchi)

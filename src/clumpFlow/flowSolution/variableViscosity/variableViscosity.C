@@ -11,6 +11,7 @@
 #include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
+#include "mirroredValues.H"
 
 Foam::variableViscosity::variableViscosity
 (
@@ -31,7 +32,8 @@ Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
 
     // By name: a temporary tensor field would be transposed in place, see
     // fluidsInside::couple
-    const volTensorField gradU("gradU", fvc::grad(U_));
+    volTensorField gradU("gradU", fvc::grad(U_));
+    setMirroredValues(gradU);
     const surfaceVectorField transposed
     (
         mesh.Sf() & linearInterpolate(T(gradU))

@@ -89,8 +89,8 @@ void Foam::clumpInjector::refuseOutside() const
     if (crossing.nClumps())
     {
         IOWarningInFunction(placement)
-            << crossing.nClumps() << " clumps start across a wall or an open"
-            << " patch; " << crossing.description().c_str() << endl;
+            << crossing.nClumps() << " clumps start across a wall, a plane of"
+            << " symmetry or an open patch; " << crossing.description().c_str() << endl;
     }
 }
 

@@ -102,7 +102,7 @@ Foam::clumpPacking::clumpPacking
     turns_(turns),
     bodies_(types.size()),
     scale_(1),
-    ghosts_(region.mesh()),
+    ghosts_(region.mesh(), false),
     nSteps_(0)
 {}
 
@@ -156,7 +156,7 @@ void Foam::clumpPacking::setImages()
         image.index = index;
         image.original = true;
         image.typeId = p.typeId();
-        image.shift = Zero;
+        image.transform = imageTransform();
         image.x.setSize(b.x.size());
         image.u.setSize(1);
         image.u[0] = centre;

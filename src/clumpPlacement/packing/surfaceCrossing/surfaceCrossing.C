@@ -137,8 +137,8 @@ Foam::string Foam::surfaceCrossing::description() const
     }
     else
     {
-        os  << " reaches " << depth_ << " of its radii beyond a wall or an open"
-            << " patch.";
+        os  << " reaches " << depth_ << " of its radii beyond a wall, a plane of"
+            << " symmetry or an open patch.";
     }
     return os.str();
 }

@@ -58,9 +58,70 @@ Foam::clumpMotion::clumpMotion
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+//- Fatal where an own clump crosses a plane of symmetry, by more than the contact of
+//  packed clumps: a sphere reaches into it, or nodes are on both sides
+void refuseCrossing
+(
+    const ghostExchange& ghosts,
+    const PtrList<clumpType>& types,
+    const dictionary& placement
+)
+{
+    const scalar allowed =
+        max(0.1, placement.getOrDefault<scalar>("maxOverlap", 0));
+    for (const imageTransform& mirror : ghosts.transforms())
+    {
+        const auto height = [&](const point& x)
+        {
+            return vector(0.5*(x - mirror.position(x)));
+        };
+        const vector inwards(height(ghosts.localBox().midpoint()));
+        if
+        (
+            mirror.nMirrors != 1
+         || mag(mirror.polar(inwards) + inwards) > 1e-6*mag(inwards)
+        )
+        {
+            // Not behind this plane alone
+            continue;
+        }
+        for (label a = 0; a < ghosts.nOwn(); ++a)
+        {
+            const clumpImage& clump = ghosts.images()[a];
+            const clumpType& type = types[clump.typeId];
+            forAll(clump.x, i)
+            {
+                const vector h(height(clump.x[i]));
+                const scalar least =
+                    type.ofSpheres() ? (1 - allowed)*type.radii()[i] : 0;
+                if ((h & inwards) < 0 || mag(h) < least)
+                {
+                    FatalIOErrorInFunction(placement)
+                        << "Entry 'position': clump " << clump.id.second() << " of type "
+                        << type.name() << " crosses a plane of symmetry: "
+                        << (type.ofSpheres() ? "sphere " : "node ") << i << " at "
+                        << clump.x[i] << " is " << mag(h)
+                        << ((h & inwards) < 0 ? " m behind it" : " m from it")
+                        << ". Half a clump and its mirror image are not modelled: move"
+                        << " it off the plane, or mesh both sides." << exit(FatalIOError);
+                }
+            }
+        }
+    }
+}
+
+}
+
+
 void Foam::clumpMotion::refuseOverlaps(const dictionary& placement) const
 {
     const ghostExchange& ghosts = clumps_.ghosts();
+    refuseCrossing(ghosts, clumps_.types(), placement);
     if (contacts_.active() && clumps_.effects().active("contact"))
     {
         contacts_.refuseOverlaps(ghosts.images(), ghosts.nOwn(), placement);

@@ -7,6 +7,7 @@
 #include "clumpFields.H"
 #include "clumpSource.H"
 #include "fluidCoupling.H"
+#include "symmetryPlanes.H"
 
 bool Foam::clumpSuspension::injects() const
 {
@@ -106,6 +107,18 @@ bool Foam::clumpSuspension::transfer()
     clumpParcel::trackingData td(*this);
     td.reached = [this](const clumpParcel& p, const label patchi)
     {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        if (symmetryPlanes::isOne(patch))
+        {
+            FatalErrorInFunction
+                << "The centre of clump " << p.origId() << " of type "
+                << type(p).name() << " has reached the plane of symmetry "
+                << patch.name() << ", at time " << mesh_.time().timeName()
+                << ". Half a clump in the plane is not modelled: contact must keep it"
+                << " off (a contactModel other than none, effect contact), with steps"
+                << " in which it does not pass its mirror image, or both sides must be"
+                << " meshed." << exit(FatalError);
+        }
         if (openPatches_.found(patchi))
         {
             count_.leave(p, patchi);

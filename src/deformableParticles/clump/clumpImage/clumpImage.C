@@ -21,7 +21,7 @@ void Foam::clumpImage::set
     typeId = p.typeId();
     id = labelPair(p.origProc(), p.origId());
     pieceOf = p.pieceOf();
-    shift = Zero;
+    transform = imageTransform();
     fadeFactor = 1;
 
     const point centre(p.position());
@@ -57,7 +57,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
     return os
         << i.owner << token::SPACE << i.index << token::SPACE
         << i.typeId << token::SPACE << i.id << token::SPACE
-        << i.pieceOf << token::SPACE << i.shift
+        << i.pieceOf << token::SPACE << i.transform
         << token::SPACE << i.x << token::SPACE << i.u << token::SPACE
         << i.omega << token::SPACE << i.box << token::SPACE << i.fadeFactor
         << token::SPACE << i.slack;
@@ -66,8 +66,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpImage& i)
 
 Foam::Istream& Foam::operator>>(Istream& is, clumpImage& i)
 {
-    is  >> i.owner >> i.index >> i.typeId >> i.id >> i.pieceOf >> i.shift >> i.x >> i.u
-        >> i.omega >> i.box >> i.fadeFactor >> i.slack;
+    is  >> i.owner >> i.index >> i.typeId >> i.id >> i.pieceOf >> i.transform >> i.x
+        >> i.u >> i.omega >> i.box >> i.fadeFactor >> i.slack;
     i.original = false;
     i.contraction = 0;
     i.clearForces();

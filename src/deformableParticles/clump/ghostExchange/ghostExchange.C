@@ -10,6 +10,7 @@
 #include "IPstream.H"
 #include "sentMessages.H"
 #include "HashTable.H"
+#include "symmetryPlanes.H"
 
 namespace
 {
@@ -24,111 +25,18 @@ const char* insteadOf(const word& type)
         return "The flow around clumps has three dimensions: use a pair of type"
             " cyclic.";
     }
-    if (type == "wedge" || type == "cyclic")
+    if (type == "wedge")
+    {
+        return "A clump off the axis would be a torus in the flow of a wedge: mesh the"
+            " full circle.";
+    }
+    if (type == "cyclic")
     {
         return "Mesh the full circle.";
-    }
-    if (!type.compare(0, 8, "symmetry"))
-    {
-        return "Mesh both sides of the plane.";
     }
     return "Make the faces of both sides match and use a pair of type cyclic.";
 }
 
-}
-
-
-void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
-{
-    const label n = patches.nNonProcessor();
-    labelList faces(n, Zero);
-    labelList rotates(n, Zero);
-
-    for (const polyPatch& pp : patches)
-    {
-        // A processor that has no faces of a cyclic may have some that meet
-        // the other side of it on another processor
-        const bool split = isA<processorCyclicPolyPatch>(pp);
-        const label patchi =
-            split
-          ? refCast<const processorCyclicPolyPatch>(pp).referPatchID()
-          : pp.index();
-
-        if (patchi < n && pp.size())
-        {
-            faces[patchi] += pp.size();
-            if (split || isA<cyclicPolyPatch>(pp))
-            {
-                const auto& cpp = refCast<const coupledPolyPatch>(pp);
-                rotates[patchi] += cpp.parallel() ? 0 : 1;
-            }
-        }
-    }
-    reduceList(faces, plusEqOp<label>());
-    reduceList(rotates, plusEqOp<label>());
-
-    for (label patchi = 0; patchi < n; ++patchi)
-    {
-        const word& type = patches[patchi].type();
-        const bool supported =
-            isA<cyclicPolyPatch>(patches[patchi])
-          ? !rotates[patchi]
-          : !polyPatch::constraintType(type);
-
-        if (faces[patchi] && !supported)
-        {
-            FatalErrorInFunction
-                << "Patch " << patches[patchi].name() << " of "
-                << patches.objectPath() << " is of type " << type
-                << (rotates[patchi] ? " (rotational)" : "")
-                << ". Clumps cannot have images behind such a patch; supported"
-                << " types are wall, patch and translational cyclic." << nl
-                << "    " << insteadOf(type) << exit(FatalError);
-        }
-    }
-}
-
-
-Foam::ghostExchange::ghostExchange(const polyMesh& mesh)
-:
-    mesh_(mesh),
-    procBoxes_(Pstream::nProcs()),
-    reaches_(Pstream::nProcs(), Zero),
-    partnerDistance_(-1),
-    nSearches_(0),
-    nOwn_(0)
-{
-    procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
-    gatherToAll(procBoxes_);
-
-    findShifts();
-}
-
-
-const Foam::boundBox& Foam::ghostExchange::localBox() const
-{
-    return procBoxes_[Pstream::myProcNo()];
-}
-
-
-bool Foam::ghostExchange::reachesOwnImage() const
-{
-    const scalar largest = max(reaches_);
-    for (label s = 1; s < shifts_.size(); ++s)
-    {
-        if (mag(shifts_[s]) < 2*largest)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-namespace
-{
-
-using namespace Foam;
 
 //- Separation of every pair of cyclic patches of which this processor has faces
 HashTable<vector> separationsOf(const polyBoundaryMesh& patches)
@@ -174,12 +82,11 @@ HashTable<vector> separationsOf(const polyBoundaryMesh& patches)
     return separations;
 }
 
-}
 
-
-void Foam::ghostExchange::findShifts()
+//- The different separations of the periodic patches, on all processors
+DynamicList<vector> periodsOf(const polyBoundaryMesh& patches)
 {
-    HashTable<vector> separations(separationsOf(mesh_.boundaryMesh()));
+    HashTable<vector> separations(separationsOf(patches));
     const auto keepOne = [](const vector& a, const vector&) { return a; };
     reduceMap
     (
@@ -202,7 +109,156 @@ void Foam::ghostExchange::findShifts()
             different.append(s);
         }
     }
+    return different;
+}
 
+
+//- What an image has of a value of its original
+void moveTo(const imageTransform& image, nodeWeights& weights)
+{
+    weights.moveTo(image);
+}
+
+
+void moveTo(const imageTransform& image, vectorField& vectors)
+{
+    image.polars(vectors);
+}
+
+
+void moveTo(const imageTransform&, scalar&)
+{}
+
+
+//- What an original has of the sums of an image
+template<class Sums>
+void bringBack(const imageTransform& from, Sums& sums)
+{
+    sums.bringBack(from);
+}
+
+
+void bringBack(const imageTransform& from, vectorField& vectors)
+{
+    from.polars(vectors);
+}
+
+
+void bringBack(const imageTransform&, vector2D&)
+{}
+
+
+void bringBack(const imageTransform&, scalar&)
+{}
+
+}
+
+
+void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
+{
+    const label n = patches.nNonProcessor();
+    labelList faces(n, Zero);
+    labelList rotates(n, Zero);
+
+    for (const polyPatch& pp : patches)
+    {
+        // A processor that has no faces of a cyclic may have some that meet
+        // the other side of it on another processor
+        const bool split = isA<processorCyclicPolyPatch>(pp);
+        const label patchi =
+            split
+          ? refCast<const processorCyclicPolyPatch>(pp).referPatchID()
+          : pp.index();
+
+        if (patchi < n && pp.size())
+        {
+            faces[patchi] += pp.size();
+            if (split || isA<cyclicPolyPatch>(pp))
+            {
+                const auto& cpp = refCast<const coupledPolyPatch>(pp);
+                rotates[patchi] += cpp.parallel() ? 0 : 1;
+            }
+        }
+    }
+    reduceList(faces, plusEqOp<label>());
+    reduceList(rotates, plusEqOp<label>());
+
+    for (label patchi = 0; patchi < n; ++patchi)
+    {
+        const word& type = patches[patchi].type();
+        const bool supported =
+            isA<cyclicPolyPatch>(patches[patchi])
+          ? !rotates[patchi]
+          : !polyPatch::constraintType(type)
+         || symmetryPlanes::isOne(patches[patchi]);
+
+        if (faces[patchi] && !supported)
+        {
+            FatalErrorInFunction
+                << "Patch " << patches[patchi].name() << " of "
+                << patches.objectPath() << " is of type " << type
+                << (rotates[patchi] ? " (rotational)" : "")
+                << ". Clumps cannot have images behind such a patch; supported"
+                << " types are wall, patch, translational cyclic, symmetryPlane and"
+                << " symmetry." << nl
+                << "    " << insteadOf(type) << exit(FatalError);
+        }
+    }
+
+    const string fault(symmetryPlanes(patches).fault(periodsOf(patches)));
+    if (fault.size())
+    {
+        FatalErrorInFunction
+            << fault.c_str() << " Boundary: " << patches.objectPath() << '.' << nl
+            << "    Mesh both sides of the plane." << exit(FatalError);
+    }
+}
+
+
+Foam::ghostExchange::ghostExchange(const polyMesh& mesh, const bool mirrors)
+:
+    mesh_(mesh),
+    mirrors_(mirrors),
+    procBoxes_(Pstream::nProcs()),
+    reaches_(Pstream::nProcs(), Zero),
+    partnerDistance_(-1),
+    nSearches_(0),
+    nOwn_(0)
+{
+    procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
+    gatherToAll(procBoxes_);
+
+    findShifts();
+}
+
+
+const Foam::boundBox& Foam::ghostExchange::localBox() const
+{
+    return procBoxes_[Pstream::myProcNo()];
+}
+
+
+bool Foam::ghostExchange::reachesOwnImage() const
+{
+    if (transforms_.size() > shifts_.size())
+    {
+        return true;
+    }
+    const scalar largest = max(reaches_);
+    for (label s = 1; s < shifts_.size(); ++s)
+    {
+        if (mag(shifts_[s]) < 2*largest)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::ghostExchange::findShifts()
+{
+    const DynamicList<vector> different(periodsOf(mesh_.boundaryMesh()));
     shifts_ = List<vector>(1, vector::zero);
     for (const vector& separation : different)
     {
@@ -215,6 +271,33 @@ void Foam::ghostExchange::findShifts()
             }
         }
     }
+    transforms_.clear();
+    for (const vector& shift : shifts_)
+    {
+        imageTransform t;
+        t.shift = shift;
+        transforms_.append(t);
+    }
+    if (mirrors_)
+    {
+        transforms_.append
+        (
+            symmetryPlanes(mesh_.boundaryMesh()).transforms(shifts_)
+        );
+    }
+}
+
+
+const Foam::imageTransform& Foam::ghostExchange::inverse(const label s) const
+{
+    // A reflection is its own inverse, a shift that of the opposite sign
+    const label nShifts = shifts_.size();
+    label opposite = 0;
+    forAll(shifts_, k)
+    {
+        opposite = shifts_[k] == -shifts_[s % nShifts] ? k : opposite;
+    }
+    return transforms_[s - s % nShifts + opposite];
 }
 
 
@@ -239,14 +322,17 @@ void Foam::ghostExchange::findNeighbours(const scalar reach)
         {
             continue;
         }
-        const boundBox mine(grown(localBox(), 2*margin(proci)));
-        for (const vector& shift : shifts_)
+        const scalar width = 2*margin(proci);
+        const boundBox mine(grown(localBox(), width));
+        const boundBox other(grown(procBoxes_[proci], width));
+        for (const imageTransform& t : transforms_)
         {
-            boundBox other(procBoxes_[proci]);
-            other.min() += shift;
-            other.max() += shift;
-
-            if (mine.overlaps(other))
+            // Boxes do not turn with an oblique plane: both processors must find both
+            if
+            (
+                mine.overlaps(t.box(procBoxes_[proci]))
+             || (t.mirrors() && other.overlaps(t.box(localBox())))
+            )
             {
                 neighbours_.append(proci);
                 break;
@@ -273,20 +359,17 @@ Foam::ghostExchange::partners(const scalar distance) const
         const boundBox standing(grown(procBoxes_[max(me, proci)], 7*distance/6));
         partner found{proci, labelList()};
         DynamicList<label> near;
-        forAll(shifts_, s)
+        forAll(transforms_, s)
         {
-            const vector shift(me <= proci ? shifts_[s] : -shifts_[s]);
-            boundBox moved(procBoxes_[min(me, proci)]);
-            moved.min() += shift;
-            moved.max() += shift;
-            if (moved.overlaps(standing))
+            const imageTransform& t = me <= proci ? transforms_[s] : inverse(s);
+            if (t.box(procBoxes_[min(me, proci)]).overlaps(standing))
             {
                 near.append(s);
             }
         }
         if (near.size())
         {
-            found.shifts = near;
+            found.transforms = near;
             result.append(found);
         }
     }
@@ -304,17 +387,14 @@ void Foam::ghostExchange::appendImages
 {
     const boundBox reachable(grown(procBoxes_[proci], margin(proci)));
 
-    for (const vector& shift : shifts_)
+    forAll(transforms_, s)
     {
-        if (proci == Pstream::myProcNo() && shift == vector::zero)
+        const imageTransform& t = transforms_[s];
+        if (proci == Pstream::myProcNo() && s == 0)
         {
             continue;
         }
-
-        boundBox box(images_[i].box);
-        box.min() += shift;
-        box.max() += shift;
-
+        const boundBox box(t.box(images_[i].box));
         if (box.overlaps(reachable))
         {
             // The clump itself may move with this list
@@ -322,8 +402,10 @@ void Foam::ghostExchange::appendImages
             clumpImage& image = images.last();
             image = images_[i];
             image.original = false;
-            image.shift = shift;
-            image.x += shift;
+            image.transform = t;
+            t.positions(image.x);
+            t.polars(image.u);
+            t.axials(image.omega);
             image.box = box;
         }
     }
@@ -417,6 +499,8 @@ void Foam::ghostExchange::updateVelocities()
             image.u = images_[image.index].u;
             image.omega = images_[image.index].omega;
             image.contraction = images_[image.index].contraction;
+            image.transform.polars(image.u);
+            image.transform.axials(image.omega);
         }
     }
 
@@ -429,6 +513,8 @@ void Foam::ghostExchange::updateVelocities()
             if (image.owner == proci)
             {
                 is >> image.u >> image.omega >> image.contraction;
+                image.transform.polars(image.u);
+                image.transform.axials(image.omega);
             }
         }
     }
@@ -452,6 +538,7 @@ void Foam::ghostExchange::copyToImages(Type clumpImage::* value)
         if (images_[i].owner == Pstream::myProcNo())
         {
             images_[i].*value = images_[images_[i].index].*value;
+            moveTo(images_[i].transform, images_[i].*value);
         }
     }
     for (const label proci : neighbours_)
@@ -462,6 +549,7 @@ void Foam::ghostExchange::copyToImages(Type clumpImage::* value)
             if (image.owner == proci)
             {
                 is >> image.*value;
+                moveTo(image.transform, image.*value);
             }
         }
     }
@@ -473,6 +561,13 @@ void Foam::ghostExchange::returnSums(Sums clumpImage::* sums)
 {
     const label me = Pstream::myProcNo();
     sentMessages messages(neighbours_.size());
+    for (label i = nOwn_; i < images_.size(); ++i)
+    {
+        if (images_[i].transform.mirrors())
+        {
+            bringBack(images_[i].transform, images_[i].*sums);
+        }
+    }
 
     forAll(neighbours_, n)
     {

@@ -60,6 +60,13 @@ void Foam::nodeMoments::operator+=(const nodeMoments& other)
 }
 
 
+void Foam::nodeMoments::bringBack(const imageTransform& from)
+{
+    from.polars(m1);
+    from.tensors(m2);
+}
+
+
 Foam::symmTensor Foam::nodeMoments::covariance(const label i) const
 {
     if (!(m0[i] > 0))

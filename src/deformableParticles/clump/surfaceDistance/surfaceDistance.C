@@ -9,14 +9,17 @@
 
 Foam::List<Foam::labelledTri> Foam::surfaceDistance::trianglesOf
 (
-    const closedSurface& surface
+    const closedSurface& surface,
+    const bool mirrored
 )
 {
     List<labelledTri> result(surface.triangles().size());
     forAll(result, n)
     {
         const triFace& t = surface.triangles()[n];
-        result[n] = labelledTri(t[0], t[1], t[2], 0);
+        result[n] =
+            mirrored
+          ? labelledTri(t[0], t[2], t[1], 0) : labelledTri(t[0], t[1], t[2], 0);
     }
     return result;
 }
@@ -32,13 +35,15 @@ Foam::label Foam::surfaceDistance::depth(const label nTriangles)
 Foam::surfaceDistance::surfaceDistance
 (
     const closedSurface& surface,
-    const pointField& x
+    const pointField& x,
+    const bool mirrored
 )
 :
     // Without nodes inside
     surface_
     (
-        trianglesOf(surface), pointField(SubField<point>(x, surface.nNodes()))
+        trianglesOf(surface, mirrored),
+        pointField(SubField<point>(x, surface.nNodes()))
     ),
     // With the default tolerance
     search_(surface_, -1, depth(surface_.size()))

@@ -28,7 +28,8 @@ Foam::scalar Foam::clumpContacts::distance
     const clumpType& ta = types_[A.typeId];
     const clumpType& tb = types_[B.typeId];
     const scalar r = ta.radii()[i] + tb.radii()[j];
-    if (A.pieceOf < 0 || A.pieceOf != B.pieceOf || A.id == B.id)
+    const bool mirrored = A.transform.mirrors() || B.transform.mirrors();
+    if (A.pieceOf < 0 || A.pieceOf != B.pieceOf || A.id == B.id || mirrored)
     {
         return r;
     }

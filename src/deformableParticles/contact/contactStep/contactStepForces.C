@@ -110,7 +110,9 @@ void Foam::contactStep::beginMoving(const scalar dt)
             evaluate(t);
             const vector v
             (
-                t.b < 0 ? u[t.a][t.i] : vector(u[t.a][t.i] - u[t.otherIndex][t.j])
+                t.b < 0
+              ? u[t.a][t.i]
+              : vector(u[t.a][t.i] - ofImage(t, u[t.otherIndex][t.j]))
             );
             t.first = t.d + dt*(v & t.n);
         }
@@ -173,7 +175,7 @@ Foam::vector Foam::contactStep::before(const sphereContact& t) const
 Foam::vector Foam::contactStep::displacement(const sphereContact& t) const
 {
     const vector& dx = moved_[t.a][t.i];
-    return t.b < 0 ? dx : vector(dx - moved_[t.otherIndex][t.j]);
+    return t.b < 0 ? dx : vector(dx - ofImage(t, moved_[t.otherIndex][t.j]));
 }
 
 
@@ -356,7 +358,7 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
             {
                 continue;
             }
-            const vector other(of(moves[t.otherIndex], t.j));
+            const vector other(ofImage(t, of(moves[t.otherIndex], t.j)));
             const vector relative(of(moves[a], t.i) - other);
             const scalar turning = t.w.force/max(t.radii - t.d, SMALL*t.R);
             const vector Cp
@@ -391,7 +393,7 @@ Foam::scalar Foam::contactStep::passable(const motions& step)
             vector dx(of(moves[a], t.i));
             if (t.b >= 0)
             {
-                dx -= of(moves[t.otherIndex], t.j);
+                dx -= ofImage(t, of(moves[t.otherIndex], t.j));
             }
             const scalar distance = t.radii - t.d;
             const scalar nearer =

@@ -110,12 +110,12 @@ Foam::vector Foam::contactStep::slip(const sphereContact& t) const
     if (inPart_)
     {
         dx -= before_[t.a][t.i];
-        dx += t.b < 0 ? vector::zero : before_[t.otherIndex][t.j];
+        dx += t.b < 0 ? vector::zero : ofImage(t, before_[t.otherIndex][t.j]);
     }
     vector turned(t.arm*turned_[t.a][t.i]);
     if (t.b >= 0)
     {
-        turned += t.otherArm*turned_[t.otherIndex][t.j];
+        turned += t.otherArm*turnOfImage(t, turned_[t.otherIndex][t.j]);
     }
     else
     {
@@ -129,7 +129,9 @@ Foam::vector Foam::contactStep::roll(const sphereContact& t) const
 {
     const vector other
     (
-        t.b < 0 ? vector(dt_*walls_.rotation(t.patch)) : turned_[t.otherIndex][t.j]
+        t.b < 0
+      ? vector(dt_*walls_.rotation(t.patch))
+      : turnOfImage(t, turned_[t.otherIndex][t.j])
     );
     const vector r(turned_[t.a][t.i] - other);
     return r - (t.slipNormal & r)*t.slipNormal;
@@ -187,8 +189,11 @@ void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
                 continue;
             }
             const vector& n = t.slipNormal;
-            const vector& turn = turns[t.otherIndex][t.j];
-            const vector otherSlip(t.otherArm*(n ^ turn) - moves[t.otherIndex][t.j]);
+            const vector turn(turnOfImage(t, turns[t.otherIndex][t.j]));
+            const vector otherSlip
+            (
+                t.otherArm*(n ^ turn) - ofImage(t, moves[t.otherIndex][t.j])
+            );
             const vector f(t.sliding.tangent & otherSlip);
             const vector moment(t.rolling.tangent & turn);
             Ap[m].segment<3>(6*t.i) += column(f);

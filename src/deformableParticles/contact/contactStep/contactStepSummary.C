@@ -8,12 +8,11 @@
 Foam::point Foam::contactStep::centre
 (
     const label image,
-    const label index
+    const UList<point>& x
 ) const
 {
-    const clumpImage& clump = ghosts_.images()[image];
-    const scalarField& m = types_[clump.typeId].masses();
-    return sum(m*(clump.x + moved_[index]))/sum(m);
+    const scalarField& m = types_[ghosts_.images()[image].typeId].masses();
+    return sum(m*pointField(x))/sum(m);
 }
 
 
@@ -56,8 +55,9 @@ Foam::contactSummary Foam::contactStep::summary() const
             }
 
             // Forces across gaps are part of it
+            const pointField own(ghosts_.images()[t.a].x + moved_[t.a]);
             result.virial +=
-                half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.otherIndex))*t.n;
+                half*t.w.force*(centre(t.a, own) - centre(t.b, ofOther(t)))*t.n;
         }
     }
     return result;

@@ -142,10 +142,11 @@ Foam::scalar Foam::impactStep::approach
     const List<vectorField>& u,
     const label i,
     const label j
-)
+) const
 {
     const vector& own = u[t.a][i];
-    return -t.n & (t.b < 0 ? own : vector(own - u[t.otherIndex][j]));
+    return
+        -t.n & (t.b < 0 ? own : vector(own - ofImage(t, u[t.otherIndex][j])));
 }
 
 
@@ -185,7 +186,7 @@ void Foam::impactStep::setMasses
     if (any.b >= 0)
     {
         const clumpImage& B = ghosts_.images()[any.b];
-        xB = B.x + moved_[any.otherIndex];
+        xB = ofOther(any);
         b.reset(new rigidResponse(types_[B.typeId], xB));
     }
     const auto response = [&](const sphereContact& s, const sphereContact& t)

@@ -71,25 +71,50 @@ void Foam::wallSurface::collect
     }
     const boundBox all(corners, false);
 
-    // What a clump on another processor, or behind a periodic boundary, may feel
+    // What lies in a plane of symmetry, such as an edge of a region to fill, has no image
+    boolList inPlane(corners.size()/3, false);
+    for (const imageTransform& image : ghosts.transforms())
+    {
+        for (label t = 0; image.mirrors() && t < corners.size(); t += 3)
+        {
+            const scalar size = mag(corners[t + 1] - corners[t]);
+            bool stays = true;
+            for (label k = t; k < t + 3; ++k)
+            {
+                stays =
+                    stays
+                 && mag(image.position(corners[k]) - corners[k]) < 1e-6*size;
+            }
+            inPlane[t/3] = inPlane[t/3] || stays;
+        }
+    }
+
+    // What a clump on another processor, or behind a periodic boundary or a plane of
+    // symmetry, may feel
     const auto around = [&](const label proci, DynamicList<label>& patchIds)
     {
         DynamicList<point> found;
         const boundBox box(grown(ghosts.box(proci), 4*ghosts.reach(proci)));
-        forAll(ghosts.shifts(), s)
+        forAll(ghosts.transforms(), s)
         {
-            const vector& shift = ghosts.shifts()[s];
+            const imageTransform& image = ghosts.transforms()[s];
             const bool itself = proci == Pstream::myProcNo() && s == 0;
-            if (itself || !box.overlaps(boundBox(all.min() + shift, all.max() + shift)))
+            if (itself || !box.overlaps(image.box(all)))
             {
                 continue;
             }
             for (label t = 0; t < corners.size(); t += 3)
             {
-                const point a(corners[t] + shift);
-                const point b(corners[t + 1] + shift);
-                const point c(corners[t + 2] + shift);
-                if (box.overlaps(boundBox(min(a, min(b, c)), max(a, max(b, c)))))
+                // A mirror image is seen from its other side
+                const label second = image.invertsHands() ? 2 : 1;
+                const point a(image.position(corners[t]));
+                const point b(image.position(corners[t + second]));
+                const point c(image.position(corners[t + 3 - second]));
+                if
+                (
+                    !(image.mirrors() && inPlane[t/3])
+                 && box.overlaps(boundBox(min(a, min(b, c)), max(a, max(b, c))))
+                )
                 {
                     found.append(a);
                     found.append(b);

@@ -6,6 +6,7 @@
 #include "cellGeometry.H"
 #include "volFields.H"
 #include "surfaceFields.H"
+#include "symmetryPlanes.H"
 #include "wallPolyPatch.H"
 
 Foam::cellGeometry::cellGeometry(const fvMesh& mesh)
@@ -82,6 +83,18 @@ void Foam::cellGeometry::setLines()
                 patch.delta()();
             SubList<scalar>(boundaryCoefficient, patch.size(), start) =
                 mesh_.nonOrthDeltaCoeffs().boundaryField()[patch.index()];
+        }
+        else if (symmetryPlanes::isOne(patch.patch()))
+        {
+            // To the mirror image of the cell
+            const vectorField n(patch.nf());
+            forAll(n, i)
+            {
+                const point& x = mesh_.cellCentres()[patch.faceCells()[i]];
+                const scalar d = 2*(n[i] & (patch.Cf()[i] - x));
+                acrossBoundary_[patch.start() - nInternal + i] = d*n[i];
+                boundaryCoefficient[patch.start() - nInternal + i] = 1/d;
+            }
         }
     }
 

@@ -395,6 +395,9 @@ FEATURES = {
         "rough": adds("constant/clumpProperties", "effects { contact on; } "
                       "contactModel { friction 0.5; rollingFriction 0.05; } "
                       "wallContactModel { friction 0.5; rollingFriction 0.05; }"),
+        "bonded": adds("constant/clumpProperties", "effects { contact on; } "
+                       "surfaceForces { molecules { type bell; density 2e13; reach 3e-7; "
+                       "onRate 1000; offRate 500; compliance 4e-10; stiffness 1e-4; } }"),
     },
     "gravity": {
         "off": nothing,
@@ -476,6 +479,9 @@ FORBIDDEN = [
     ({"bonds": ["brittle"], "bodies": ["spheres", "capsules"]}, "there are no bonds"),
     ({"bodies": ["bouncing"], "walls": ["off"],
       "boundaries": ["closed", "periodicWalls", "open", "mixed"]}, "nothing keeps them inside"),
+    ({"contact": ["bonded"], "bodies": ["capsules", "capsuleAndRing"]},
+     "only clumps of spheres have bonds"),
+    ({"contact": ["bonded"], "walls": ["off"]}, "attraction needs contact with walls"),
     ({"outer": ["1"], "bodies": ["capsules", "capsuleAndRing"],
       "contact": ["on", "lubricated", "rough"]},
      "membranes that may touch are refused with one outer corrector"),

@@ -303,6 +303,15 @@ void Foam::clumpMotion::accept(const vector& flowChange)
 {
     clumps_.breakage().note(clumps_);
     const scalar dt = clumps_.mesh().time().deltaTValue();
+    pairs_.clear();
+    if (keepsPairs_ && contacting_.searched())
+    {
+        pairs_ = contacting_.pairs();
+    }
+    if (gaps_.bonds() && contacting_.searched())
+    {
+        gaps_.bonds()->replace(contacting_.renewedBonds());
+    }
     for (clumpParcel& p : clumps_)
     {
         p.accept(type(p), dt*clumps_.meshVelocity(), flowChange);

@@ -204,6 +204,17 @@ def gradient(mean):
     return write
 
 
+# Bonds between bodies and at walls, of long molecules
+
+def bonded(scene):
+    walls = " ".join(side for side, kind in scene.patches.items() if kind == "wall")
+    for name, patches in (("cells", ""), ("walls", f"patches ({walls});")):
+        if patches != "patches ();":
+            scene.add("constant/clumpProperties", "effects { contact on; } surfaceForces { "
+                      f"{name} {{ type bell; density 1e13; reach 8e-7; onRate 1000; offRate 500; "
+                      f"compliance 4e-10; stiffness 1e-4; {patches} }} }}")
+
+
 # Bodies: shape, half the height, and the places of two clumps [um]; spheres that are pulled; model
 # that conserves
 
@@ -395,9 +406,7 @@ FEATURES = {
         "rough": adds("constant/clumpProperties", "effects { contact on; } "
                       "contactModel { friction 0.5; rollingFriction 0.05; } "
                       "wallContactModel { friction 0.5; rollingFriction 0.05; }"),
-        "bonded": adds("constant/clumpProperties", "effects { contact on; } "
-                       "surfaceForces { molecules { type bell; density 2e13; reach 3e-7; "
-                       "onRate 1000; offRate 500; compliance 4e-10; stiffness 1e-4; } }"),
+        "bonded": bonded,
     },
     "gravity": {
         "off": nothing,

@@ -49,6 +49,33 @@ void Foam::contactStep::setBonds()
             own.insert(clumps_[a].origId(), a);
         }
     }
+    Map<DynamicList<label>> imagesOf;
+    const UList<clumpImage>& images = ghosts_.images();
+    forAll(images, b)
+    {
+        if (images[b].pieceOf < 0 && remote_.localIndex(b) >= 0)
+        {
+            imagesOf(images[b].id.second()).append(b);
+        }
+    }
+
+    // The nearest image of the other clump; -1 if there is none
+    const auto otherImage = [&](const bondEnd& end, const label id)
+    {
+        label result = -1;
+        scalar least = GREAT;
+        for (const label b : imagesOf(id))
+        {
+            if (b != end.a && end.j >= 0 && end.j < images[b].x.size())
+            {
+                const scalar away = mag(images[b].x[end.j] - images[end.a].x[end.i]);
+                result = away < least ? b : result;
+                least = min(away, least);
+            }
+        }
+        return result;
+    };
+
     List<DynamicList<bondEnd>> ofClump(clumps_.size());
     const List<surfaceBond>& bonds = gaps_.bonds()->bonds();
     forAll(bonds, number)
@@ -59,13 +86,14 @@ void Foam::contactStep::setBonds()
         {
             const auto found =
                 own.find(first ? bond.clump.first() : bond.clump.second());
-            if (!kinetics || !found.good())
+            const label i = first ? bond.sphere.first() : bond.sphere.second();
+            if (!kinetics || !found.good() || i < 0 || i >= type(found.val()).size())
             {
                 continue;
             }
             bondEnd end;
             end.a = found.val();
-            end.i = first ? bond.sphere.first() : bond.sphere.second();
+            end.i = i;
             end.b = -1;
             end.j = first ? bond.sphere.second() : bond.sphere.first();
             end.otherIndex = -1;
@@ -74,10 +102,13 @@ void Foam::contactStep::setBonds()
             end.kinetics = kinetics;
             if (!bond.atWall())
             {
-                end.b = otherImage(end);
+                end.b = otherImage
+                (
+                    end, first ? bond.clump.second() : bond.clump.first()
+                );
                 end.otherIndex = end.b < 0 ? -1 : remote_.localIndex(end.b);
             }
-            if (end.i < type(end.a).size() && (bond.atWall() || end.b >= 0))
+            if (bond.atWall() || end.b >= 0)
             {
                 ofClump[end.a].append(end);
             }
@@ -88,42 +119,6 @@ void Foam::contactStep::setBonds()
         bondEnds_.append(ofClump[a]);
         bondBegins_[a + 1] = bondEnds_.size();
     }
-}
-
-
-Foam::label Foam::contactStep::otherImage(const bondEnd& end) const
-{
-    const surfaceBond& bond = gaps_.bonds()->bonds()[end.number];
-    const label id = end.first ? bond.clump.second() : bond.clump.first();
-    const UList<clumpImage>& images = ghosts_.images();
-    const vector own
-    (
-        images.empty() ? vector::zero : images[end.a].x[end.i]
-    );
-
-    // That which a bond of this length reaches, of a clump in a periodic domain
-    label result = -1;
-    scalar least = GREAT;
-    forAll(images, b)
-    {
-        if
-        (
-            images[b].id.second() == id
-         && b != end.a
-         && images[b].pieceOf < 0
-         && remote_.localIndex(b) >= 0
-         && end.j < images[b].x.size()
-        )
-        {
-            const scalar away = mag(images[b].x[end.j] - own);
-            if (away < least)
-            {
-                least = away;
-                result = b;
-            }
-        }
-    }
-    return result;
 }
 
 

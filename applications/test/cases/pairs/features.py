@@ -205,6 +205,17 @@ def gradient(mean):
     return write
 
 
+# Bonds between bodies and at walls, of long molecules
+
+def bonded(scene):
+    walls = " ".join(side for side, kind in scene.patches.items() if kind == "wall")
+    for name, patches in (("cells", ""), ("walls", f"patches ({walls});")):
+        if patches != "patches ();":
+            scene.add("constant/clumpProperties", "effects { contact on; } surfaceForces { "
+                      f"{name} {{ type bell; density 1e13; reach 8e-7; onRate 1000; offRate 500; "
+                      f"compliance 4e-10; stiffness 1e-4; {patches} }} }}")
+
+
 # Bodies: shape, half the height, and the places of two clumps [um]; spheres that are pulled; model
 # that conserves
 
@@ -397,6 +408,7 @@ FEATURES = {
         "rough": adds("constant/clumpProperties", "effects { contact on; } "
                       "contactModel { friction 0.5; rollingFriction 0.05; } "
                       "wallContactModel { friction 0.5; rollingFriction 0.05; }"),
+        "bonded": bonded,
     },
     "gravity": {
         "off": nothing,
@@ -478,6 +490,9 @@ FORBIDDEN = [
     ({"bonds": ["brittle"], "bodies": ["spheres", "capsules"]}, "there are no bonds"),
     ({"bodies": ["bouncing"], "walls": ["off"],
       "boundaries": ["closed", "periodicWalls", "open", "mixed"]}, "nothing keeps them inside"),
+    ({"contact": ["bonded"], "bodies": ["capsules", "capsuleAndRing"]},
+     "only clumps of spheres have bonds"),
+    ({"contact": ["bonded"], "walls": ["off"]}, "attraction needs contact with walls"),
     ({"outer": ["1"], "bodies": ["capsules", "capsuleAndRing"],
       "contact": ["on", "lubricated", "rough"]},
      "membranes that may touch are refused with one outer corrector"),

@@ -374,6 +374,15 @@ void Foam::clumpMotion::accept(const vector& flowChange)
     clumps_.breakage().note(clumps_);
     const scalar dt = clumps_.mesh().time().deltaTValue();
     constraints_.clear();
+    pairs_.clear();
+    if (keepsPairs_ && contacting_.searched())
+    {
+        pairs_ = contacting_.pairs();
+    }
+    if (gaps_.bonds() && contacting_.searched())
+    {
+        gaps_.bonds()->replace(contacting_.renewedBonds());
+    }
     for (clumpParcel& p : clumps_)
     {
         if (tr(loads_.held(p.typeId())) > 0 || loads_.turn(p.typeId()))

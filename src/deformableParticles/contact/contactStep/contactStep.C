@@ -26,7 +26,8 @@ Foam::contactStep::contactStep
     contacts_(contacts),
     walls_(walls),
     range_(0),
-    rubs_(contacts.laws().frictional() || walls.laws().frictional())
+    rubs_(contacts.laws().frictional() || walls.laws().frictional()),
+    turns_(rubs_ || gaps.bonds())
 {
     forget();
 }

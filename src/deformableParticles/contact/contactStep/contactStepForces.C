@@ -123,7 +123,7 @@ void Foam::contactStep::beginMoving(const scalar dt)
 void Foam::contactStep::move(const bool all)
 {
     const List<vectorField> moved(moved_);
-    const List<vectorField> turned(rubs_ ? turned_ : List<vectorField>());
+    const List<vectorField> turned(turns_ ? turned_ : List<vectorField>());
     const auto turn = [&](const label a, const clumpState& start)
     {
         const clumpState& end = clumps_[a].step().end;
@@ -138,27 +138,28 @@ void Foam::contactStep::move(const bool all)
         if (all || isCoupled_[a])
         {
             moved_[a] = p.step().end.x - p.state().x;
-            if (rubs_ && !isCoupled_[a])
+            if (turns_ && !isCoupled_[a])
             {
                 turn(a, p.state());
             }
         }
     }
-    for (label m = 0; rubs_ && m < coupled_.size(); ++m)
+    for (label m = 0; turns_ && m < coupled_.size(); ++m)
     {
         turn(clumpOf_[m], *coupled_[m].start);
     }
     remote_.exchange(moved_);
-    if (rubs_)
+    if (turns_)
     {
         remote_.exchange(turned_);
+        exchangeOrientations();
     }
     forAll(moved_, c)
     {
         hasMoved_[c] =
             hasMoved_[c]
          || moved_[c] != moved[c]
-         || (rubs_ && turned_[c] != turned[c]);
+         || (turns_ && turned_[c] != turned[c]);
     }
 }
 
@@ -185,22 +186,29 @@ Foam::scalar Foam::contactStep::fromWall(const sphereContact& t, const vector& d
 }
 
 
-void Foam::contactStep::evaluate(sphereContact& t) const
+Foam::scalar Foam::contactStep::overlap
+(
+    const sphereContact& t,
+    vector& n
+) const
 {
+    const vector dx(displacement(t));
     if (t.b < 0)
     {
-        const vector dx(displacement(t));
-        t.d = t.radii - fromWall(t, dx);
-        t.n = t.wallNormal + (t.bend & dx);
+        n = t.wallNormal + (t.bend & dx);
+        return t.radii - fromWall(t, dx);
     }
-    else
-    {
-        // Coincident centres have no direction to part in
-        const vector x(before(t) + displacement(t));
-        const scalar distance = mag(x);
-        t.d = t.radii - distance;
-        t.n = distance > SMALL*t.R ? vector(x/distance) : vector::zero;
-    }
+    // Coincident centres have no direction to part in
+    const vector x(before(t) + dx);
+    const scalar distance = mag(x);
+    n = distance > SMALL*t.R ? vector(x/distance) : vector::zero;
+    return t.radii - distance;
+}
+
+
+void Foam::contactStep::evaluate(sphereContact& t) const
+{
+    t.d = overlap(t, t.n);
     t.w = {0, 0, 0};
     if (t.hasLaw && t.d > 0)
     {
@@ -253,6 +261,7 @@ void Foam::contactStep::sumForces(const label m)
         torques_[m][t.i] +=
             t.arm*(t.sliding.force ^ t.slipNormal) + t.rolling.force;
     }
+    addBonds(m);
 }
 
 
@@ -291,6 +300,10 @@ Foam::symmTensorField Foam::contactStep::stiffness(const label m) const
     {
         const sphereContact& t = sphereContacts_[n];
         k[t.i] += t.w.stiffness*sqr(t.n) + t.sliding.tangent;
+    }
+    for (label n = bondBegins_[a]; n < bondBegins_[a + 1]; ++n)
+    {
+        k[bondEnds_[n].i] += bondEnds_[n].spring.stiffness();
     }
     return k;
 }
@@ -372,6 +385,10 @@ void Foam::contactStep::couple(const motions& p, motions& Ap)
     if (rubs_)
     {
         coupleFriction(p, Ap);
+    }
+    if (gaps_.bonds())
+    {
+        coupleBonds(p, Ap);
     }
 }
 

@@ -170,6 +170,10 @@ void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
         D.bottomRightCorner<3, 3>() +=
             N.transpose()*A*N + matrix(t.rolling.tangent);
     }
+    for (label n = bondBegins_[a]; n < bondBegins_[a + 1]; ++n)
+    {
+        bondEnds_[n].spring.addRotations(K.diagonal(bondEnds_[n].i));
+    }
 }
 
 

@@ -123,6 +123,7 @@ void Foam::contactStep::endSearch()
 {
     setLocalIndices();
     setRanges();
+    setBonds();
     distribute(true);
 
     search_.dt = wholeDt_;

@@ -4,7 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gapForces.H"
+#include "bondKinetics.H"
 #include "contactLaws.H"
+#include "polyMesh.H"
+#include "surfaceBonds.H"
+#include "symmetryPlanes.H"
 #include "wordRes.H"
 
 Foam::gapForces::gapForces
@@ -22,17 +26,39 @@ Foam::gapForces::gapForces
 {
     if (clumpProperties.found("lubrication"))
     {
-        film_ = selectModel<gapModel>(getDict(clumpProperties, "lubrication"));
+        const dictionary& dict = getDict(clumpProperties, "lubrication");
+        film_ = selectModel<gapModel>(dict);
+        if (!film_->resists())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'type' is " << dict.get<word>("type") << ", which is no film of"
+                << " fluid: it belongs into the entry surfaceForces." << exit(FatalIOError);
+        }
     }
     if (clumpProperties.found("surfaceForces"))
     {
         const dictionary& dict = getDict(clumpProperties, "surfaceForces");
         for (const word& name : dict.toc())
         {
-            addLaw(getDict(dict, name), patches);
+            addLaw(name, getDict(dict, name), patches);
+            if (laws_.last().law->bonds() && !bonds_.valid())
+            {
+                if (symmetryPlanes(patches).planes().size())
+                {
+                    FatalIOErrorInFunction(dict)
+                        << "Entry '" << name << "' is a law of bonds, which do not form"
+                        << " across the planes of symmetry of the mesh. Mesh both sides"
+                        << " of the plane." << exit(FatalIOError);
+                }
+                bonds_.reset(new surfaceBonds(patches.mesh().time()));
+            }
         }
     }
 }
+
+
+Foam::gapForces::~gapForces()
+{}
 
 
 Foam::labelList Foam::gapForces::typesOf
@@ -50,11 +76,13 @@ Foam::labelList Foam::gapForces::typesOf
 
 void Foam::gapForces::addLaw
 (
+    const word& name,
     const dictionary& dict,
     const polyBoundaryMesh& patches
 )
 {
     autoPtr<surfaceLaw> added(new surfaceLaw);
+    added->name = name;
     added->ofTypes.setSize(nTypes_*nTypes_, false);
     added->ofPatches.setSize(nTypes_*nPatches_, false);
 
@@ -79,6 +107,7 @@ void Foam::gapForces::addLaw
                 added->ofPatches[i*nPatches_ + patchi] = true;
             }
         }
+        checkBonds(dict, *added);
         laws_.append(added);
         return;
     }
@@ -97,7 +126,67 @@ void Foam::gapForces::addLaw
             added->ofTypes[j*nTypes_ + i] = true;
         }
     }
+    checkBonds(dict, *added);
     laws_.append(added);
+}
+
+
+void Foam::gapForces::checkBonds
+(
+    const dictionary& dict,
+    const surfaceLaw& law
+) const
+{
+    for (label i = 0; law.law->bonds() && i < nTypes_; ++i)
+    {
+        const bool named =
+            SubList<bool>(law.ofTypes, nTypes_, i*nTypes_).found(true)
+         || SubList<bool>(law.ofPatches, nPatches_, i*nPatches_).found(true);
+        if (named && !types_[i].ofSpheres())
+        {
+            DynamicList<word> valid;
+            for (const clumpType& ct : types_)
+            {
+                if (ct.ofSpheres() && !ct.isPiece())
+                {
+                    valid.append(ct.name());
+                }
+            }
+            FatalIOErrorInFunction(dict)
+                << "Entry 'type' is " << dict.get<word>("type") << ", which forms bonds"
+                << " between clumps of spheres, but acts on the clump type "
+                << types_[i].name() << ". Valid entries of 'types': "
+                << flatOutput(valid) << exit(FatalIOError);
+        }
+    }
+}
+
+
+const Foam::bondKinetics* Foam::gapForces::kinetics(const word& law) const
+{
+    for (const surfaceLaw& candidate : laws_)
+    {
+        if (candidate.name == law)
+        {
+            return candidate.law->bonds();
+        }
+    }
+    return nullptr;
+}
+
+
+Foam::DynamicList<Foam::gapForces::namedKinetics>
+Foam::gapForces::kineticsAt(const place& where) const
+{
+    DynamicList<namedKinetics> result;
+    for (const surfaceLaw& law : laws_)
+    {
+        if (law.law->bonds() && acts(law, where))
+        {
+            result.append(namedKinetics(law.name, law.law->bonds()));
+        }
+    }
+    return result;
 }
 
 
@@ -121,7 +210,9 @@ Foam::scalar Foam::gapForces::lawRange(const scalar cellWidth) const
             result = max(result, law.law->range(cellWidth, atWall));
         }
     }
-    return result;
+
+    // The gap between the spheres that a bond joins is no longer than it is
+    return bonds_.valid() ? max(result, 1.01*bonds_->longest()) : result;
 }
 
 

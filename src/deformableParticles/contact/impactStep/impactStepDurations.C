@@ -419,5 +419,5 @@ Foam::scalar Foam::impactStep::elasticEnergy() const
             result += (both ? 0.5 : 1)*(elastic(t, t.d) + acrossGap(t));
         }
     }
-    return result;
+    return result + bondEnergy();
 }

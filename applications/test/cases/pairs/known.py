@@ -13,6 +13,8 @@ KNOWN = [
       "bodies": ["shell", "bouncing"]}, "warnings", 3,
      "the same at thirty times the viscosity, also of a Newtonian liquid; in one that thins,"
      " further steps may end so or be repeated"),
+    ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "restart on", 1000,
+     "as for serial and parallel runs"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "serial equals parallel", 1000,
      "whether the acceleration begins anew is decided by a change of the viscosity of a tenth,"
      " which round-off may turn; the runs then differ by as much as couplingTolerance allows"),

@@ -9,11 +9,11 @@
 Foam::point Foam::contactStep::centre
 (
     const label image,
-    const UList<point>& x
+    const label index
 ) const
 {
     const scalarField& m = types_[ghosts_.images()[image].typeId].masses();
-    return sum(m*pointField(x))/sum(m);
+    return sum(m*places(image, index))/sum(m);
 }
 
 
@@ -56,9 +56,8 @@ Foam::contactSummary Foam::contactStep::summary() const
             }
 
             // Forces across gaps are part of it
-            const pointField own(ghosts_.images()[t.a].x + moved_[t.a]);
             result.virial +=
-                half*t.w.force*(centre(t.a, own) - centre(t.b, ofOther(t)))*t.n;
+                half*t.w.force*(centre(t.a, t.a) - centre(t.b, t.otherIndex))*t.n;
         }
         for (label k = bondBegins_[a]; k < bondBegins_[a + 1]; ++k)
         {

@@ -70,7 +70,7 @@ void Foam::contactStep::setWeights
     (
         pairs,
         pointField(A.x + moved_[t.a]), types_[A.typeId].radii(),
-        ofOther(t), types_[B.typeId].radii()
+        places(t.b, t.otherIndex), types_[B.typeId].radii()
     );
 }
 

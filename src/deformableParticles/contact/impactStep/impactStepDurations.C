@@ -186,7 +186,7 @@ void Foam::impactStep::setMasses
     if (any.b >= 0)
     {
         const clumpImage& B = ghosts_.images()[any.b];
-        xB = ofOther(any);
+        xB = places(any.b, any.otherIndex);
         b.reset(new rigidResponse(types_[B.typeId], xB));
     }
     const auto response = [&](const sphereContact& s, const sphereContact& t)

@@ -166,7 +166,7 @@ Foam::tmp<Foam::volTensorField> Foam::membraneInterior::strain
 ) const
 {
     volTensorField gradU("gradU", fvc::grad(U));
-    setMirroredValues(gradU);
+    setMirroredValues(gradU, U);
     const dimensionedScalar mu("mu", dimDynamicViscosity, mu0);
     return stressIn
     (

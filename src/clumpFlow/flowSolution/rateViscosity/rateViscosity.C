@@ -275,8 +275,14 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::rateViscosity::stress()
     const volScalarField& nu = flow_.nu();
     volVectorField& U = flow_.U();
     autoPtr<volTensorField> gradU;
-    withExtended([&]{ gradU.reset(new volTensorField("gradU", fvc::grad(U))); });
-    setMirroredValues(*gradU);
+    withExtended
+    (
+        [&]
+        {
+            gradU.reset(new volTensorField("gradU", fvc::grad(U)));
+            setMirroredValues(*gradU, U);
+        }
+    );
     extend(*gradU);
     return
       - fvm::laplacian(onFaces()(), U, "laplacian(nuEff,U)")

@@ -33,7 +33,7 @@ Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
     // By name: a temporary tensor field would be transposed in place, see
     // fluidsInside::couple
     volTensorField gradU("gradU", fvc::grad(U_));
-    setMirroredValues(gradU);
+    setMirroredValues(gradU, U_);
     const surfaceVectorField transposed
     (
         mesh.Sf() & linearInterpolate(T(gradU))

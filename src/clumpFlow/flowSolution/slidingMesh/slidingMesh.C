@@ -196,7 +196,7 @@ Foam::string Foam::slidingMesh::obstacle()
     }
     if (mag(alongBoundary(U.mesh(), cloud_.motion().held())) == 0)
     {
-        return "a clump is held";
+        return "a load holds a clump or acts at fixed places";
     }
     if (flow_.turbulence().type() != "Stokes")
     {

@@ -11,6 +11,7 @@
 #include "meanVelocityGradient.H"
 #include "fvOptions.H"
 #include "sourcesInBodies.H"
+#include "symmetryPlanes.H"
 #include "fvcDiv.H"
 #include "surfaceFields.H"
 #include "addToRunTimeSelectionTable.H"
@@ -78,8 +79,8 @@ functionObjects::tableHeader header()
             " next three")
        .explain(of("forcing") + ' ' + of("patches") + ' ' + of("sources"), "force of the"
             " clumps, pressure and stress on the patches, fvOptions")
-       .explain("thirdLawError", "|fluid + forcing|; as all errors over the sum of the"
-            " magnitudes of all forces")
+       .explain("thirdLawError", "|fluid + forcing|, along the planes of symmetry where"
+            " there are any; as all errors over the sum of the magnitudes of all forces")
        .explain("clumpsError fluidError couplingError totalError", "of the two balances,"
             " |coupling|, and of the sum of both balances")
        .explain(of("momentum") + ' ' + of("impulse"), "of fluid and clumps, and of applied,"
@@ -106,6 +107,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
     patches_(Zero),
     sources_(Zero),
     size_(0),
+    along_(symmetryPlanes(mesh_.boundaryMesh()).along()),
     start_(Zero),
     momentum_(Zero),
     impulse_(Zero),
@@ -377,8 +379,8 @@ bool Foam::functionObjects::momentumBalance::write()
     (
         const vector& F :
         {
-            clumps_.fluid + forcing_, ofClumps, ofFluid, clumps_.coupling,
-            ofClumps + ofFluid + clumps_.fluid + forcing_ + clumps_.coupling
+            vector(along_ & (clumps_.fluid + forcing_)), ofClumps, ofFluid, clumps_.coupling,
+            ofClumps + ofFluid + (along_ & (clumps_.fluid + forcing_)) + clumps_.coupling
         }
     )
     {
@@ -386,7 +388,8 @@ bool Foam::functionObjects::momentumBalance::write()
     }
     add(momentum_);
     add(impulse_);
-    os  << '\t' << mag(momentum_ - start_ - impulse_)/impulseSize_ << nl;
+    const vector missing(along_ & (momentum_ - start_ - impulse_));
+    os  << '\t' << mag(missing)/impulseSize_ << nl;
     table_.flush();
 
     return true;

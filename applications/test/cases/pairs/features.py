@@ -36,7 +36,8 @@ class Scene:
         self.nudge = nudge*RADIUS*1e6   # of all clumps, along (1 1 1) [um]
         self.files = {}
         self.utilities = ["blockMesh"]  # in this order
-        self.patches = {}               # of each side, x0 to z1: "wall", "cyclic" or "patch"
+        self.patches = {}               # of each side, x0 to z1: "wall", "cyclic", "patch" or
+                                        # "symmetryPlane"
         self.shear = 0                  # x per y of the mesh
         self.density = float(row["density"])
         self.rho = RHO                  # of the fluid
@@ -163,14 +164,18 @@ def refined(scene):
 # Boundaries: in x, y and z
 
 def sides(x, y, z):
+    """The kinds of both sides along each direction, or of the first and of the second one"""
     def write(scene):
         faces = ("0 4 7 3", "1 2 6 5", "0 1 5 4", "3 7 6 2", "0 3 2 1", "4 5 6 7")
         U = {"wall": "type noSlip;", "patch": "type zeroGradient;", "cyclic": "type cyclic;"}
         p = {"wall": "type zeroGradient;", "patch": "type fixedValue; value uniform 0;",
              "cyclic": "type cyclic;"}
+        for conditions in (U, p):
+            conditions["symmetryPlane"] = "type symmetryPlane;"
         boundary = ""
         for i, face in enumerate(faces):
             kind, side, other = (x, y, z)[i//2], "xyz"[i//2] + "%d" % (i % 2), (i + 1) % 2
+            kind = kind.split()[i % 2] if " " in kind else kind
             scene.patches[side] = kind
             pair = f"neighbourPatch {side[0]}{other};" if kind == "cyclic" else ""
             boundary += f"{side} {{ type {kind}; {pair} faces (({face})); }}\n"
@@ -232,9 +237,14 @@ BODIES = {
     "rod": ("type chain; nSpheres 2; spacing 5e-6;", 2.4, (), (),
             "unionVolume; volumeModulus 1e4;"),
     "capsule": ("type icosphere; radius 2.4e-6; subdivisions 2;", 2.4, (), (), ""),
+    "solid": ("type filled; surface { type icosphere; radius 2.4e-6; subdivisions 2; }", 2.4,
+              (), (), ""),
 }
 
 # Stiff enough to stay close to their shape under what drives the scenes
+SOLID = """
+    membrane { solid { type neoHookeanSolid; shearModulus 50; } }
+    viscosityRatio 3;"""
 MEMBRANE = """
     membrane
     {
@@ -255,9 +265,9 @@ STIFF = """
 def clumpType(scene, name, body):
     shape, _, plus, minus, _ = BODIES[body]
     scene.types.append((name, body))
-    if body == "capsule":
+    if body in ("capsule", "solid"):
         scene.add("constant/clumpProperties", f"types {{ {name} {{ shape {{ {shape} }} "
-                  f"density {scene.density}; {MEMBRANE} }} }}")
+                  f"density {scene.density}; {MEMBRANE if body == 'capsule' else SOLID} }} }}")
         return
     bonds = "" if body == "sphere" else (
         f"bondModel {{ {STIFF if body == 'rod' else BONDS} }} "
@@ -310,6 +320,15 @@ def several(scene):
     for name, body in (("bead", "sphere"), ("dumbbell", "dumbbell"), ("ring", "ring")):
         clumpType(scene, name, body)
     place(scene, ("dumbbell", 8, 0, 5.6), ("ring", 9, 0, 10.1), ("bead", 15.5, 7, 4.5))
+
+
+def moved(scene):
+    """A sphere that is taken along, with a turn, towards a ring, and a bead beside them."""
+    for name, body in (("mover", "sphere"), ("ring", "ring"), ("bead", "sphere")):
+        clumpType(scene, name, body)
+    place(scene, ("mover", 5, 0, 9.5), ("ring", 12, 0.4, 10.1), ("bead", 9, 5, 5))
+    scene.add("constant/clumpProperties", "loads { along { type move; clumpType mover; "
+              f"velocity ({SPEED/2} 0 0); angularVelocity 200; axis (0 0 1); }} }}")
 
 
 def capsuleAndRing(scene):
@@ -383,6 +402,7 @@ FEATURES = {
         "periodicWalls": sides("cyclic", "wall", "cyclic"),
         "open": sides("patch", "wall", "wall"),
         "mixed": sides("patch", "wall", "cyclic"),
+        "half": sides("cyclic", "symmetryPlane wall", "cyclic"),
     },
     # Blood, of the viscosity NU at the shear rates of these scenes
     "viscosity": {
@@ -455,6 +475,8 @@ FEATURES = {
         "capsules": pairOf("capsule", (11.5, 0.3, 9.9)),
         "capsuleAndRing": capsuleAndRing,
         "bouncing": bouncing,
+        "solids": pairOf("solid", (11.5, 0.3, 9.9)),
+        "moved": moved,
     },
     "bonds": {
         "whole": nothing,
@@ -481,19 +503,22 @@ FORBIDDEN = [
     ({"driving": ["gradient", "noMean"], "boundaries": ["closed", "open", "mixed"]},
      "only a flow that is periodic along x has a mean velocity to be held"),
     ({"driving": ["movingWall"], "boundaries": ["periodic"]}, "there is no wall"),
-    ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls"]},
+    ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls", "half"]},
      "there is no inlet"),
     ({"injection": ["inlet", "bothEnds"], "driving": ["none", "gradient", "noMean", "movingWall"]},
      "there is no inlet"),
-    ({"conservation": ["one"], "bodies": ["spheres", "capsules"]},
+    ({"conservation": ["one"], "bodies": ["spheres", "capsules", "solids"]},
      "a sphere has no shape to conserve, and a capsule keeps its volume"),
-    ({"bonds": ["brittle"], "bodies": ["spheres", "capsules"]}, "there are no bonds"),
+    ({"bonds": ["brittle"], "bodies": ["spheres", "capsules", "solids"]}, "there are no bonds"),
     ({"bodies": ["bouncing"], "walls": ["off"],
-      "boundaries": ["closed", "periodicWalls", "open", "mixed"]}, "nothing keeps them inside"),
-    ({"contact": ["bonded"], "bodies": ["capsules", "capsuleAndRing"]},
+      "boundaries": ["closed", "periodicWalls", "open", "mixed", "half"]},
+     "nothing keeps them inside"),
+    ({"boundaries": ["half"], "contact": ["off"]}, "nothing keeps them off the plane of symmetry"),
+    ({"boundaries": ["half"], "contact": ["bonded"]}, "no bonds form with mirror images"),
+    ({"contact": ["bonded"], "bodies": ["capsules", "capsuleAndRing", "solids"]},
      "only clumps of spheres have bonds"),
     ({"contact": ["bonded"], "walls": ["off"]}, "attraction needs contact with walls"),
-    ({"outer": ["1"], "bodies": ["capsules", "capsuleAndRing"],
+    ({"outer": ["1"], "bodies": ["capsules", "capsuleAndRing", "solids"],
       "contact": ["on", "lubricated", "rough"]},
      "membranes that may touch are refused with one outer corrector"),
 ]

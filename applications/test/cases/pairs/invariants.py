@@ -171,7 +171,7 @@ class Judge:
             model = (BODIES[body][4] + ";").split(";")[0]*(
                 whole and self.row["conservation"] == "one")
             kind, limit = ("volume of spheres", 1e-6) if body == "sphere" else \
-                ("volume of membranes", 1e-6) if body == "capsule" else \
+                ("volume of membranes", 1e-6) if body in ("capsule", "solid") else \
                 ("conserved volume", 0.01) if model == "unionVolume" else \
                 ("conserved area", 0.01) if model == "enclosedArea" else ("volume", 0.5)
             value = row["area" if "area" in kind else "volume"]
@@ -199,7 +199,8 @@ class Judge:
         """Neither the fluid nor contact without friction turns a sphere where rotation is off"""
         if self.row["rotation"] != "off" or self.row["contact"] == "rough":
             return
-        omega = column([row for row in shape if self.body(row["type"]) == ("sphere", True)],
+        omega = column([row for row in shape if self.body(row["type"]) == ("sphere", True)
+                        and row["type"] != "mover"],
                        "omegax", "omegay", "omegaz")
         self.check("rotation of spheres over the driving speed over their radius",
                    np.abs(omega).max(initial=0)*RADIUS/self.speed, 1e-12)
@@ -235,7 +236,7 @@ class Judge:
         first = {key: value for key, value in volume.items() if key in {
             (row["clump"], row["type"]) for row in shape if row["time"] == shape[0]["time"]}}
         # The solver's volume of a union that deforms, and with it the buoyancy, is within 0.1 %
-        exact = self.row["bodies"] in ("spheres", "capsules")
+        exact = self.row["bodies"] in ("spheres", "capsules", "solids")
         size = len(self.scene.starts)*self.scene.pull + sum(first.values())*abs(
             self.density - exact*self.rho)*np.linalg.norm(self.gravity)
         velocities = dict(self.scene.starts)
@@ -267,7 +268,8 @@ class Judge:
     def differences(self, one, other):
         """Largest differences between the tables of two runs, over their scales and limits"""
         # The momentum equation is iterated to 1e-3 where a viscosity is inside membranes
-        limit = 1e-4 if "capsule" in self.row["bodies"] else 1e-6
+        limit = 1e-4 if self.row["bodies"] in (
+            "capsules", "capsuleAndRing", "solids") else 1e-6
         # Round-off may decide on another outer corrector; from then on they differ by the tolerance
         ones, others = correctors(one), correctors(other)
         until = min((float(time) for time, n in others.items() if ones.get(time, n) != n),

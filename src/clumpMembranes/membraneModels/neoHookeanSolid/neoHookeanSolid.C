@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "neoHookeanSolid.H"
+#include "toEigen.H"
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -25,17 +26,6 @@ typedef Eigen::Matrix<double, 12, 12> matrix12;
 
 //- Where the logarithm of J goes over into a parabola
 constexpr Foam::scalar leastJ = 0.1;
-
-//- v x as a matrix
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v)
-{
-    Eigen::Matrix3d result;
-    result <<
-        0, -v[2], v[1],
-        v[2], 0, -v[0],
-        -v[1], v[0], 0;
-    return result;
-}
 
 }
 
@@ -80,7 +70,7 @@ Eigen::Matrix3d Foam::membraneModels::neoHookeanSolid::edgesOf
     for (label k = 0; k < 3; ++k)
     {
         const vector d(x[t[k + 1]] - x[t[0]]);
-        result.col(k) << d.x(), d.y(), d.z();
+        result.col(k) = toEigen(d);
     }
     return result;
 }

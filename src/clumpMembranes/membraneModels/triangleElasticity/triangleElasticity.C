@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "triangleElasticity.H"
+#include "toEigen.H"
 #include <Eigen/Eigenvalues>
 
 namespace
@@ -13,11 +14,6 @@ using namespace Foam;
 
 typedef Eigen::Matrix<double, 6, 1> vector6;
 typedef Eigen::Matrix<double, 6, 6> matrix6;
-
-Eigen::Vector3d toEigen(const vector& v)
-{
-    return Eigen::Vector3d(v.x(), v.y(), v.z());
-}
 
 vector toFoam(const Eigen::Vector3d& v)
 {

@@ -4,39 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bondTangent.H"
+#include "toEigen.H"
 
 namespace
 {
 
 using namespace Foam;
 using Eigen::Matrix3d;
-
-inline Matrix3d toEigen(const tensor& t)
-{
-    Matrix3d m;
-    m << t.xx(), t.xy(), t.xz(),
-         t.yx(), t.yy(), t.yz(),
-         t.zx(), t.zy(), t.zz();
-    return m;
-}
-
-
-inline Eigen::Vector3d toEigen(const vector& v)
-{
-    return Eigen::Vector3d(v.x(), v.y(), v.z());
-}
-
-
-//- The matrix of v x
-inline Matrix3d crossMatrix(const Eigen::Vector3d& v)
-{
-    Matrix3d m;
-    m << 0, -v.z(), v.y(),
-         v.z(), 0, -v.x(),
-         -v.y(), v.x(), 0;
-    return m;
-}
-
 
 //- along*e e + across*(I - e e)
 inline Matrix3d transverse

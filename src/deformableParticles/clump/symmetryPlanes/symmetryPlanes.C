@@ -105,6 +105,21 @@ void Foam::symmetryPlanes::add(const polyPatch& patch)
 }
 
 
+Foam::symmTensor Foam::symmetryPlanes::along() const
+{
+    symmTensor result(symmTensor::I);
+    for (const plane& p : planes_)
+    {
+        // Of two parallel ones the first
+        if ((p.n & result & p.n) > 0.5)
+        {
+            result -= sqr(p.n);
+        }
+    }
+    return result;
+}
+
+
 Foam::string Foam::symmetryPlanes::fault(const UList<vector>& periods) const
 {
     if (fault_.size())

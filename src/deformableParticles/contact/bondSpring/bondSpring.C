@@ -4,36 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bondSpring.H"
-
-namespace
-{
-
-using namespace Foam;
-
-//- The matrix of n x
-Eigen::Matrix3d crossing(const vector& n)
-{
-    Eigen::Matrix3d result;
-    result <<
-        0, -n.z(), n.y(),
-        n.z(), 0, -n.x(),
-        -n.y(), n.x(), 0;
-    return result;
-}
-
-
-Eigen::Matrix3d matrix(const symmTensor& k)
-{
-    Eigen::Matrix3d result;
-    result <<
-        k.xx(), k.xy(), k.xz(),
-        k.xy(), k.yy(), k.yz(),
-        k.xz(), k.yz(), k.zz();
-    return result;
-}
-
-}
-
+#include "toEigen.H"
 
 Foam::bondSpring::bondSpring()
 :
@@ -76,8 +47,8 @@ void Foam::bondSpring::evaluate
 
 void Foam::bondSpring::addRotations(clumpTangent::block& D) const
 {
-    const Eigen::Matrix3d K(matrix(K_));
-    const Eigen::Matrix3d C(crossing(arm_));
+    const Eigen::Matrix3d K(toEigen(K_));
+    const Eigen::Matrix3d C(crossMatrix(toEigen(arm_)));
     D.topRightCorner<3, 3>() -= K*C;
     D.bottomLeftCorner<3, 3>() += C*K;
     D.bottomRightCorner<3, 3>() -= C*K*C;
@@ -87,7 +58,7 @@ void Foam::bondSpring::addRotations(clumpTangent::block& D) const
     if (outward > 0)
     {
         D.bottomRightCorner<3, 3>() +=
-            outward*matrix(symmTensor::I - sqr(arm_)/magSqr(arm_));
+            outward*toEigen(symmTensor::I - sqr(arm_)/magSqr(arm_));
     }
 }
 

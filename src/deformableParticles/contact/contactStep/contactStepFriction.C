@@ -5,42 +5,7 @@
 
 #include "contactStep.H"
 #include "mathematicalConstants.H"
-
-namespace
-{
-
-using namespace Foam;
-
-//- The matrix of n x
-Eigen::Matrix3d crossing(const vector& n)
-{
-    Eigen::Matrix3d result;
-    result <<
-        0, -n.z(), n.y(),
-        n.z(), 0, -n.x(),
-        -n.y(), n.x(), 0;
-    return result;
-}
-
-
-Eigen::Matrix3d matrix(const symmTensor& k)
-{
-    Eigen::Matrix3d result;
-    result <<
-        k.xx(), k.xy(), k.xz(),
-        k.xy(), k.yy(), k.yz(),
-        k.xz(), k.yz(), k.zz();
-    return result;
-}
-
-
-Eigen::Vector3d column(const vector& v)
-{
-    return Eigen::Vector3d(v.x(), v.y(), v.z());
-}
-
-}
-
+#include "toEigen.H"
 
 void Foam::contactStep::frictionPotential::evaluate
 (
@@ -162,13 +127,13 @@ void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
         {
             continue;
         }
-        const Eigen::Matrix3d A(matrix(t.sliding.tangent));
-        const Eigen::Matrix3d N(t.arm*crossing(t.slipNormal));
+        const Eigen::Matrix3d A(toEigen(t.sliding.tangent));
+        const Eigen::Matrix3d N(t.arm*crossMatrix(toEigen(t.slipNormal)));
         clumpTangent::block& D = K.diagonal(t.i);
         D.topRightCorner<3, 3>() += A*N;
         D.bottomLeftCorner<3, 3>() += N.transpose()*A;
         D.bottomRightCorner<3, 3>() +=
-            N.transpose()*A*N + matrix(t.rolling.tangent);
+            N.transpose()*A*N + toEigen(t.rolling.tangent);
     }
     for (label n = bondBegins_[a]; n < bondBegins_[a + 1]; ++n)
     {
@@ -200,8 +165,8 @@ void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
             );
             const vector f(t.sliding.tangent & otherSlip);
             const vector moment(t.rolling.tangent & turn);
-            Ap[m].segment<3>(6*t.i) += column(f);
-            Ap[m].segment<3>(6*t.i + 3) += column(t.arm*(f ^ n) - moment);
+            Ap[m].segment<3>(6*t.i) += toEigen(f);
+            Ap[m].segment<3>(6*t.i + 3) += toEigen(t.arm*(f ^ n) - moment);
         }
     }
 }

@@ -4,23 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "incrementalPotential.H"
+#include "toEigen.H"
 #include <Eigen/Eigenvalues>
 
 namespace
 {
 
 using namespace Foam;
-
-Eigen::Matrix3d matrix(const symmTensor& k)
-{
-    Eigen::Matrix3d result;
-    result <<
-        k.xx(), k.xy(), k.xz(),
-        k.xy(), k.yy(), k.yz(),
-        k.xz(), k.yz(), k.zz();
-    return result;
-}
-
 
 //- Gradient of v.phi with respect to a small further rotation, where phi is the
 //  rotation vector: J^-T v with the left Jacobian J of the exponential map
@@ -123,7 +113,7 @@ Foam::scalar Foam::incrementalPotential::value
         if (K)
         {
             clumpTangent::block& D = K->diagonal(i);
-            D.topLeftCorner<3, 3>() += matrix(ext_.k[i]);
+            D.topLeftCorner<3, 3>() += toEigen(ext_.k[i]);
 
             if (moving())
             {
@@ -154,7 +144,7 @@ void Foam::incrementalPotential::hold
 ) const
 {
     const scalarField share(type_.masses()/type_.mass());
-    const Eigen::Matrix3d P(matrix(ext_.held));
+    const Eigen::Matrix3d P(toEigen(ext_.held));
     if (ext_.turned)
     {
         // What is left of the forces and torques is their sum across the held directions
@@ -228,7 +218,7 @@ void Foam::incrementalPotential::addInteraction
         const symmTensorField stiffness(group_->stiffness(groupIndex_));
         forAll(stiffness, i)
         {
-            K->diagonal(i).topLeftCorner<3, 3>() += matrix(stiffness[i]);
+            K->diagonal(i).topLeftCorner<3, 3>() += toEigen(stiffness[i]);
         }
         if (group_->turns())
         {

@@ -56,6 +56,7 @@ Foam::couplingIteration::couplingIteration
     residual_(cloud, flow, held),
     tolerance_(0),
     nCorrectors_(0),
+    agreed_(false),
     withoutClumps_(false),
     nextWithout_(false),
     last_(0),
@@ -245,6 +246,7 @@ bool Foam::couplingIteration::loop()
     if (clumpsFollow_ && nCorrectors_ > 0 && !last && converged())
     {
         control.end();
+        agreed_ = true;
         return false;
     }
     if (!control.loop())
@@ -266,6 +268,7 @@ void Foam::couplingIteration::beginStep()
 {
     residual_.beginStep();
     nCorrectors_ = 0;
+    agreed_ = false;
     withoutClumps_ = false;
     nextWithout_ =
         clumpsFollow_ && cloud_.followedFlow() && flow_.control().nCorrPIMPLE() > 1;
@@ -320,7 +323,7 @@ void Foam::couplingIteration::endStep()
         Info<< "Outer correctors: " << nCorrectors_ << ", residual " << last_
             << endl;
         ++nSteps_;
-        if (missed())
+        if (!agreed_ && missed())
         {
             ++nMissed_;
             worst_ = max(worst_, last_);

@@ -13,6 +13,9 @@ KNOWN = [
       "bodies": ["shell", "bouncing"]}, "warnings", 3,
      "the same at thirty times the viscosity, also of a Newtonian liquid; in one that thins,"
      " further steps may end so or be repeated"),
+    ({"outer": ["tolerance"], "bodies": ["moved"]}, "warnings", 1,
+     "the sphere that is moved has its full velocity in the first step, which is repeated with half"
+     " of it; with a velocity that grows over five steps none is"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "restart on", 1000,
      "as for serial and parallel runs"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "serial equals parallel", 1000,

@@ -18,12 +18,6 @@ const scalar pi = constant::mathematical::pi;
 
 using membrane = testMembrane;
 
-scalar energy(const membraneMechanics& m, const pointField& x)
-{
-    vectorField unused(x.size(), Zero);
-    return m.add(x, unused);
-}
-
 //- Strained to (1 + e) along x and l2 along y
 triangleElasticity::response stretched
 (
@@ -67,29 +61,7 @@ TEST_CASE("membrane: forces are the gradient of the energy", "[membrane][serial]
     const membrane m(models);
     Random random(7);
     const pointField x(deformed(m.type, 0.1, random));
-    const vectorField f(m.mechanics.forces(x));
-    const scalar h = 1e-6;
-
-    for (label n = 0; n < 20; ++n)
-    {
-        const label i = random.position<label>(0, x.size() - 1);
-        const vector e(randomVector(random));
-        pointField plus(x), minus(x);
-        plus[i] += h*e;
-        minus[i] -= h*e;
-        const scalar expected =
-            -(energy(m.mechanics, plus) - energy(m.mechanics, minus))/(2*h);
-        CHECK((f[i] & e) == Approx(expected).epsilon(1e-6).margin(1e-8));
-    }
-
-    // No force and no torque on the whole
-    vector torque(Zero);
-    forAll(x, i)
-    {
-        torque += x[i] ^ f[i];
-    }
-    CHECK(mag(sum(f)) < 1e-13*sum(mag(f)));
-    CHECK(mag(torque) < 1e-13*sum(mag(f)));
+    checkForces(m.mechanics, x, random);
 }
 
 

@@ -357,6 +357,7 @@ bool Foam::functionObjects::momentumBalance::write()
       - clumps_.applied
     );
     const vector ofFluid(fluidRate_ - forcing_ - patches_ - sources_);
+    const vector ofPair(along_ & (clumps_.fluid + forcing_));
 
     Ostream& os = table_.open(header());
     const auto add = [&](const vector& v)
@@ -379,8 +380,8 @@ bool Foam::functionObjects::momentumBalance::write()
     (
         const vector& F :
         {
-            vector(along_ & (clumps_.fluid + forcing_)), ofClumps, ofFluid, clumps_.coupling,
-            ofClumps + ofFluid + (along_ & (clumps_.fluid + forcing_)) + clumps_.coupling
+            ofPair, ofClumps, ofFluid, clumps_.coupling,
+            ofClumps + ofFluid + ofPair + clumps_.coupling
         }
     )
     {

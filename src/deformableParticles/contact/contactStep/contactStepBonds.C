@@ -99,6 +99,8 @@ void Foam::contactStep::setBonds()
             end.otherIndex = -1;
             end.number = number;
             end.first = first;
+            end.patch =
+                bond.atWall() ? mesh_.boundaryMesh().findPatchID(bond.patch) : -1;
             end.kinetics = kinetics;
             if (!bond.atWall())
             {
@@ -153,6 +155,18 @@ Foam::vector Foam::contactStep::arm
 }
 
 
+Foam::vector Foam::contactStep::wayOfWall(const bondEnd& e) const
+{
+    if (e.patch < 0)
+    {
+        return Zero;
+    }
+    const surfaceBond& bond = gaps_.bonds()->bonds()[e.number];
+    const point place(clumps_[e.a].centres()[e.i] + bond.otherAnchor);
+    return wholeDt_*walls_.velocity(e.patch, place);
+}
+
+
 void Foam::contactStep::evaluate(bondEnd& e) const
 {
     const surfaceBond& bond = gaps_.bonds()->bonds()[e.number];
@@ -162,15 +176,9 @@ void Foam::contactStep::evaluate(bondEnd& e) const
     );
     if (e.b < 0)
     {
-        const point place(clumps_[e.a].centres()[e.i] + bond.otherAnchor);
-        const label patch = mesh_.boundaryMesh().findPatchID(bond.patch);
-        const vector slid
-        (
-            patch < 0 ? vector::zero : wholeDt_*walls_.velocity(patch, place)
-        );
         e.spring.evaluate
         (
-            *e.kinetics, bond.otherAnchor + slid - moved_[e.a][e.i], own, Zero
+            *e.kinetics, bond.otherAnchor + wayOfWall(e) - moved_[e.a][e.i], own, Zero
         );
         return;
     }
@@ -361,13 +369,7 @@ Foam::DynamicList<Foam::surfaceBond> Foam::contactStep::renewedBonds()
         b.length = e.spring.length();
         if (e.b < 0)
         {
-            const point place(clumps_[e.a].centres()[e.i] + b.otherAnchor);
-            const label patch = mesh_.boundaryMesh().findPatchID(b.patch);
-            b.otherAnchor -= moved_[e.a][e.i];
-            if (patch >= 0)
-            {
-                b.otherAnchor += dt*walls_.velocity(patch, place);
-            }
+            b.otherAnchor += wayOfWall(e) - moved_[e.a][e.i];
         }
         result.append(b);
     }

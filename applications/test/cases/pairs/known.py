@@ -16,6 +16,10 @@ KNOWN = [
     ({"outer": ["tolerance"], "bodies": ["moved"]}, "warnings", 1,
      "the sphere that is moved has its full velocity in the first step, which is repeated with half"
      " of it; with a velocity that grows over five steps none is"),
+    ({"bodies": ["ring", "capsuleAndRing"], "bonds": ["brittle"]}, "warnings", 2,
+     "when a ring breaks, the forces of its neighbours change so fast that the coupling coefficient"
+     " of a single sphere is raised 18 times; it then follows slowly, and up to 75 outer correctors"
+     " are needed. A coefficient that falls faster takes more of them"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "restart on", 1000,
      "as for serial and parallel runs"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "serial equals parallel", 1000,

@@ -154,9 +154,10 @@ class Judge:
                    f"{inside} inside")
         self.check("clumps placed, difference", abs(placed - len(self.scene.starts)), 0)
         # More viscous liquids, and locked interiors, carry more of what pulls on the bonds; a rod
-        # that bounces breaks at a wall
+        # that bounces breaks at a wall, unless a film stops it
         strained = self.row["bodies"] != "bouncing" or (
-            self.row["boundaries"] != "periodic" and self.row["contact"] != "off")
+            self.row["boundaries"] != "periodic"
+            and self.row["contact"] not in ("off", "lubricated"))
         if self.row["bonds"] == "whole":
             self.check("pieces of bonds that cannot break", broken, 0)
         elif self.row["viscosity"] == "Newtonian" and self.row["dilation"] == "yes" and strained:
@@ -199,8 +200,9 @@ class Judge:
                    fastest/(2*self.scene.pull/self.drag), 3)
 
     def unturned(self, shape):
-        """Neither the fluid nor contact without friction turns a sphere where rotation is off"""
-        if self.row["rotation"] != "off" or self.row["contact"] == "rough":
+        """Neither the fluid nor contact turns a sphere where rotation is off; friction and the
+        bonds of surfaces do"""
+        if self.row["rotation"] != "off" or self.row["contact"] in ("rough", "bonded"):
             return
         omega = column([row for row in shape if self.body(row["type"]) == ("sphere", True)
                         and row["type"] != "mover"],
@@ -261,7 +263,7 @@ class Judge:
                                   if abs(r["time"] - row["time"]) < 1e-9)
             before = row["time"]
             total = self.rho*self.volume*np.array([row["volAverage(U) " + c] for c in "xyz"])
-            for clump in (r for r in force if r["time"] == row["time"]):
+            for clump in (r for r in force if abs(r["time"] - row["time"]) < 1e-9):
                 total += volume[clump["clump"], clump["type"]]*(self.density - self.rho)*column(
                     [clump], "Ux", "Uy", "Uz")[0]
             worst = max(worst, np.linalg.norm(total - start - impulse)/(

@@ -5,8 +5,8 @@
 
 #include "clumpSolute.H"
 #include "addToRunTimeSelectionTable.H"
-#include "cellSetOption.H"
 #include "checkedEntries.H"
+#include "coupledFluxes.H"
 #include "FlatOutput.H"
 #include "foamCompat.H"
 #include "fvmDiv.H"
@@ -14,6 +14,7 @@
 #include "fvmSup.H"
 #include "fvOptions.H"
 #include "linear.H"
+#include "placedConditions.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace Foam
@@ -171,36 +172,17 @@ void Foam::functionObjects::clumpSolute::refusePlaces(const dictionary& dict) co
     {
         return;
     }
-    string place;
-    for (const fvPatchScalarField& p : outer_->boundaryField())
-    {
-        const bool same =
-            p.coupled() || p.type() == "zeroGradient"
-         || (p.type() == "fixedValue" && gMax(p) - gMin(p) <= SMALL*gMax(mag(p)()));
-        if (!same)
-        {
-            place = "the condition of patch " + p.patch().name();
-        }
-    }
-    PtrList<fv::option>& options = fv::options::New(mesh_);
-    for (fv::option& option : options)
-    {
-        const auto* part = isA<fv::cellSetOption>(option)
-          ? &refCast<const fv::cellSetOption>(option) : nullptr;
-        const bool all = part && part->cells().size() == mesh_.nCells();
-        if
-        (
-            option.applyToField(outer_->name()) >= 0
-         && !returnReduce(all, andOp<bool>())
-        )
-        {
-            place = "the source " + option.name() + " of fvOptions";
-        }
-    }
-    if (!place.empty())
+    const word patch(placedCondition(*outer_));
+    const word source
+    (
+        placedSource(fv::options::New(mesh_), outer_->name())
+    );
+    if (!patch.empty() || !source.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "The mesh slides along with the clumps, and " << place.c_str()
+            << "The mesh slides along with the clumps, and "
+            << (patch.empty() ? "source " : "the condition of patch ")
+            << (patch.empty() ? source : patch) << " of " << outer_->name()
             << " may depend on the place. Set effects { sliding off; } in clumpProperties."
             << exit(FatalIOError);
     }
@@ -282,12 +264,14 @@ void Foam::functionObjects::clumpSolute::fillEmpty()
         const scalar K = type(celli).partition();
         if (!inside_->active(celli))
         {
+            inside_->give(celli, *outside_);
             outerContent[celli] += innerContent[celli];
             innerContent[celli] = 0;
             in[celli] = K*out[celli];
         }
         else if (!outside_->active(celli))
         {
+            outside_->give(celli, *inside_);
             innerContent[celli] += outerContent[celli];
             outerContent[celli] = 0;
             out[celli] = in[celli]/K;
@@ -450,6 +434,7 @@ Foam::functionObjects::clumpSolute::outsideEquation()
         }
         result.ref() -= sources;
     }
+    equateCoupledFluxes(result.ref());
     return result;
 }
 
@@ -528,7 +513,7 @@ Foam::functionObjects::clumpSolute::insideEquation()
     (
         both*sameClump()*surfaces_->faceFraction()*nearness(-1)*linearInterpolate(D)
     );
-    return tmp<fvScalarMatrix>
+    tmp<fvScalarMatrix> result
     (
         new fvScalarMatrix
         (
@@ -538,6 +523,8 @@ Foam::functionObjects::clumpSolute::insideEquation()
          == before/dt
         )
     );
+    equateCoupledFluxes(result.ref());
+    return result;
 }
 
 
@@ -553,12 +540,16 @@ Foam::functionObjects::clumpSolute::boundEquation()
             volume[celli] = 0;
         }
     }
-    return
+    tmp<fvScalarMatrix> result
+    (
         fvm::Sp(volume/dt, *bound_)
       + fvm::div
         (
             insideFaces()*inside_->flux(), *bound_, "div(phi," + outer_->name() + ")"
-        );
+        )
+    );
+    equateCoupledFluxes(result.ref());
+    return result;
 }
 
 

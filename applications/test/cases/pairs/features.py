@@ -9,6 +9,8 @@ or across the periodic boundaries. Forces that add up to zero pull the bodies ap
 
 from math import pi, tan, radians
 
+import solutes
+
 LENGTHS = (20, 16, 16)                  # um
 SPEED = 2e-3                            # m/s, of walls and streams
 PULL = 2e-11                            # N
@@ -31,7 +33,7 @@ FIELD = 'libs ("libfieldFunctionObjects.so"); log no; writeFields no; ' + EACH
 class Scene:
     """Files of a case as texts; what is added later overrides what stands before."""
 
-    def __init__(self, row, nudge=0):
+    def __init__(self, row, nudge=0, withSolutes=True):
         self.row = row
         self.nudge = nudge*RADIUS*1e6   # of all clumps, along (1 1 1) [um]
         self.files = {}
@@ -48,6 +50,8 @@ class Scene:
         self.common()
         for factor, levels in FEATURES.items():
             levels[row[factor]](self)
+        if withSolutes:
+            solutes.add(self)
 
     def add(self, name, text):
         self.files[name] = self.files.get(name, "") + text + "\n"

@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 
+import solutes
 from clumps import table
 from features import BODIES, END, FEATURES, FLIGHT, LENGTHS, OFFSET, RADIUS, SPEED, Scene
 from known import KNOWN
@@ -94,6 +95,7 @@ class Judge:
         self.unturned(shape)
         self.rebound(force)
         self.momentum(case, force, shape)
+        solutes.judge(self.check, case)
 
     def log(self, case):
         """Neither the watchdog nor the coupling complains; the coarse mesh is ours"""
@@ -333,7 +335,7 @@ def resistance(folder, bodies, Case):
     columns take the same steps where those of the case adjust"""
     for body in bodies:
         row = {factor: next(iter(levels)) for factor, levels in FEATURES.items()}
-        scene = Scene(dict(row, bodies=body, outer="3", step="adjustable"))
+        scene = Scene(dict(row, bodies=body, outer="3", step="adjustable"), withSolutes=False)
         case = Case(os.path.join(folder, body), 1).write(scene)
         case.run("clumpResistance", "0", "-steps", "5")
         judge = Judge(scene)

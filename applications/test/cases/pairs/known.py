@@ -21,8 +21,8 @@ KNOWN = [
      " of a single sphere is raised 18 times; it then follows slowly, and up to 75 outer correctors"
      " are needed. A coefficient that falls faster takes more of them"),
     ({"outer": ["1"], "bodies": ["bouncing"]}, "fluid over driving speed", 11,
-     "with one outer corrector the fluid learns a step later that a body has bounced, and these move"
-     " by two mesh cells in a step: in one mesh cell it is too fast for this step (three outer"
+     "with one outer corrector the fluid learns a step later that a body has bounced, and these"
+     " move by two mesh cells in a step: in one mesh cell it is too fast for this step (three outer"
      " correctors: 1.3)"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "restart on", 1000,
      "as for serial and parallel runs"),

@@ -26,7 +26,8 @@ from known import FOUND
 
 QUICK = 8
 OTHER = {1: 2, 2: 3, 3: 1}              # ranks after a restart on another number of them
-CLASSES = {"U": "volVectorField", "p": "volScalarField", "g": "uniformDimensionedVectorField"}
+CLASSES = {"U": "volVectorField", "g": "uniformDimensionedVectorField",
+           **dict.fromkeys(("p", "evenSolute", "loadedSolute"), "volScalarField")}
 
 
 class Failed(Exception):

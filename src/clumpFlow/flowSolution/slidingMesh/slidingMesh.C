@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "slidingMesh.H"
-#include "cellSetOption.H"
 #include "clumpMotion.H"
 #include "clumpTotals.H"
+#include "placedConditions.H"
 #include <Eigen/Eigenvalues>
 
 namespace
@@ -51,68 +51,6 @@ tensor alongBoundary(const fvMesh& mesh, const symmTensor& held)
         }
     }
     return result;
-}
-
-
-template<class Type>
-bool uniform(const fvPatchField<Type>& field)
-{
-    const scalar most = gMax(mag(field));
-    const Type mean(gAverage(field));
-    return gMax(mag(field - mean)()) <= 1e-9*most;
-}
-
-
-//- The name of the first patch whose condition may depend on the place
-template<class Type>
-word placedCondition(const GeometricField<Type, fvPatchField, volMesh>& field)
-{
-    const wordHashSet anywhere
-    ({
-        "fixedValue", "noSlip", "slip", "uniformFixedValue", "zeroGradient",
-        "fixedFluxPressure", "symmetryPlane", "symmetry"
-    });
-    const label n = field.mesh().boundaryMesh().nNonProcessor();
-    for (label patchi = 0; patchi < n; ++patchi)
-    {
-        const fvPatchField<Type>& pf = field.boundaryField()[patchi];
-        const bool same =
-            pf.coupled()
-          ? pf.type() == pf.patch().type() || pf.type() == "uniformJump"
-          : anywhere.found(pf.type()) && (!pf.fixesValue() || uniform(pf));
-        if (!same)
-        {
-            return pf.patch().name();
-        }
-    }
-    return word::null;
-}
-
-
-//- The name of the first source of momentum that may depend on the place
-word placedSource(PtrList<fv::option>& options, const volVectorField& U)
-{
-    const wordHashSet anywhere
-    ({
-        "meanVelocityGradient", "vectorSemiImplicitSource"
-    });
-    for (fv::option& option : options)
-    {
-        const bool acts = option.isActive() && option.applyToField(U.name()) >= 0;
-        const bool everywhere =
-            anywhere.found(option.type())
-         && returnReduce
-            (
-                refCast<const fv::cellSetOption>(option).cells().size()
-             == U.mesh().nCells(),
-                andOp<bool>()
-            );
-        if (acts && !everywhere)
-        {
-            return option.name();
-        }
-    }
-    return word::null;
 }
 
 
@@ -211,7 +149,7 @@ Foam::string Foam::slidingMesh::obstacle()
     {
         return "the condition of patch " + found + " may depend on the place";
     }
-    found = placedSource(flow_.options(), U);
+    found = placedSource(flow_.options(), U.name());
     if (!found.empty())
     {
         return "source " + found + " of fvOptions may depend on the place";

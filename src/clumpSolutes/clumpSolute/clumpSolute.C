@@ -249,7 +249,21 @@ void Foam::functionObjects::clumpSolute::moveClumps()
     }
     entered_ += returnReduce(entered, sumOp<scalar>());
     outside_->add(-change);
-    outside_->update(1 - alpha, (1 - theta)*phi);
+
+    // A pocket of fluid that opens or closes between the spheres of a clump
+    const scalarField opened(outside_->update(1 - alpha, (1 - theta)*phi));
+    inside_->add(-opened);
+    forAll(opened, celli)
+    {
+        const scalar moved =
+            opened[celli]
+           *(
+                opened[celli] > 0
+              ? (*inner_)[celli] + (*bound_)[celli] : (*outer_)[celli]
+            );
+        inner[celli] -= moved;
+        outer[celli] += moved;
+    }
 }
 
 

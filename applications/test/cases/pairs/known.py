@@ -24,6 +24,8 @@ KNOWN = [
      "with one outer corrector the fluid learns a step later that a body has bounced, and these"
      " move by two mesh cells in a step: in one mesh cell it is too fast for this step (three outer"
      " correctors: 1.3)"),
+    ({"outer": ["1"], "bodies": ["ring"], "bonds": ["brittle"]}, "fluid over driving speed", 8,
+     "the same when a bond breaks; with outer correctors to couplingTolerance 0.6"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "restart on", 1000,
      "as for serial and parallel runs"),
     ({"viscosity": ["powerLaw", "blood"], "bodies": ["bouncing"]}, "serial equals parallel", 1000,

@@ -16,7 +16,7 @@ KNOWN = [
     ({"outer": ["tolerance"], "bodies": ["moved"]}, "warnings", 1,
      "the sphere that is moved has its full velocity in the first step, which is repeated with half"
      " of it; with a velocity that grows over five steps none is"),
-    ({"bodies": ["ring", "shell", "capsuleAndRing"], "bonds": ["brittle"]}, "warnings", 2,
+    ({"bodies": ["ring", "shell", "moved", "capsuleAndRing"], "bonds": ["brittle"]}, "warnings", 2,
      "when a ring breaks, the forces of its neighbours change so fast that the coupling coefficient"
      " of a single sphere is raised 18 times; it then follows slowly, and up to 75 outer correctors"
      " are needed. A coefficient that falls faster takes more of them"),

@@ -85,8 +85,9 @@ before, near_end = columns("pressure/0/p")[-1][1:]
 slope = (DENSITY*near_end + SUCTION)/(LENGTH - PROBE)
 across = DENSITY*before + SUCTION - slope*(LENGTH - length)
 leak = columns("flux/0/surfaceFieldValue.dat")[-1][1]
+earlier = [l for t, l in lengths if t < lengths[-1][0] - 1]
 print("tongue: %.2f um long, a millisecond before %.2f um, %.2f um in radius" % (
-    lengths[-1][1], next(l for t, l in reversed(lengths) if t < lengths[-1][0] - 1), 1e6*widest))
+    lengths[-1][1], earlier[-1], 1e6*widest))
 print("pressure across the cell: %.1f Pa of %g" % (across, SUCTION))
 print("leak: %.0f %% of the flux through the open pipette" % (100*leak/free))
 print("length over radius %.2f of the tongue, by Evans %.2f of a tongue of this radius" % (

@@ -26,6 +26,21 @@ Foam::mechanicalTest::mechanicalTest(const dictionary& dict)
 {}
 
 
+void Foam::mechanicalTest::refuseSpheres
+(
+    const clumpType& type,
+    const dictionary& dict
+)
+{
+    if (!type.hasTriangles())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape': this test is one of a closed surface (icosphere,"
+            << " biconcave, surfaceFile, filled)." << exit(FatalIOError);
+    }
+}
+
+
 Foam::Pair<Foam::scalar> Foam::mechanicalTest::extents
 (
     const clumpType& type,

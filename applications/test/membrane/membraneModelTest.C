@@ -430,3 +430,41 @@ TEST_CASE("membrane: bending energy of spheres and cells", "[membrane][bending][
      == Approx(2*4*sqr(M)/(Foam::sqrt(3.0)/4)).epsilon(1e-12)
     );
 }
+
+
+TEST_CASE("membrane: the tension at a pipette is that of the law", "[membrane][serial]")
+{
+    // A flat membrane of fixed area around a tongue of the length L: the stretch along the
+    // radius r is lambda, lambda^2 = 1 + s/r^2 with s = 2 L - 1, lengths over the radius of
+    // the pipette, and the tension at its mouth int_1^inf (T1 - T2) dr/r
+    const scalar L = GENERATE(0.8, 1.5, 2.5);
+    const scalar s = 2*L - 1;
+    const bool hardening = GENERATE(false, true);
+    const auto model = selectModel<membraneModel>
+    (
+        dictOf
+        (
+            hardening
+          ? "type skalak; shearModulus 2; areaRatio 50;"
+          : "type neoHookean; shearModulus 2;"
+        ),
+        membrane("a { type neoHookean; shearModulus 2; }").type.surface(),
+        membrane("a { type neoHookean; shearModulus 2; }").type.centres()
+    );
+    const auto& law = dynamic_cast<const triangleElasticity&>(*model);
+
+    // By v = 1/r^2, dr/r = -dv/(2 v)
+    const label n = 2000;
+    scalar T = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar v = (i + 0.5)/n;
+        const scalar l = Foam::sqrt(1 + s*v);
+        T += (tension(law, l, 1/l) - tension(law, 1/l, l))/(2*v*n);
+    }
+    const scalar expected =
+        hardening
+      ? 0.5*sqr(s) + s + s/(1 + s)
+      : s + Foam::log(1 + s);
+    CHECK(2*T/2 == Approx(expected).epsilon(1e-5));
+}

@@ -81,7 +81,7 @@ def kindOf(entry, code):
     if value in ("yes", "no", "on", "off", "true", "false"):
         return "switch"
     if value.startswith("( (") or value.startswith("(("):
-        return "vectors"
+        return "vectors" if re.search(r"[0-9]", value) else "list"
     if value.startswith("("):
         return "vector" if len(value.strip("() ").split()) == 3 else "list"
     if value.startswith('"'):

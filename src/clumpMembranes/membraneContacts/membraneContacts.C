@@ -19,12 +19,13 @@ autoPtr<contactModel> lawOf(const dictionary& dict)
 {
     if (!dict.found("type"))
     {
-        checkEntries(dict, {"range", "stress", "filmCutOff"});
+        checkEntries(dict, {"range", "stress", "filmCutOff", "inside"});
         return autoPtr<contactModel>();
     }
     dictionary own(dict);
     own.remove("range");
     own.remove("filmCutOff");
+    own.remove("inside");
     autoPtr<contactModel> result(selectModel<contactModel>(own));
     if (result->frictional())
     {
@@ -131,6 +132,86 @@ Foam::membraneContacts::membraneContacts
 }
 
 
+void Foam::membraneContacts::readInside
+(
+    const dictionary& clumpProperties,
+    const scalar rho
+)
+{
+    const dictionary dict(clumpProperties.subOrEmptyDict("membraneContact"));
+    List<Pair<word>> names;
+    dict.readIfPresent("inside", names);
+    for (const Pair<word>& pair : names)
+    {
+        labelPair types(-1, -1);
+        wordList membranes;
+        forAll(types_, typei)
+        {
+            if (!types_[typei].hasTriangles())
+            {
+                continue;
+            }
+            membranes.append(types_[typei].name());
+            for (label n = 0; n < 2; ++n)
+            {
+                if (types_[typei].name() == pair[n])
+                {
+                    types[n] = typei;
+                }
+            }
+        }
+        if
+        (
+            types.first() < 0
+         || types.second() < 0
+         || types.first() == types.second()
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'inside': (" << pair.first() << ' ' << pair.second()
+                << ") are not two types of membranes. Valid types: "
+                << flatOutput(membranes) << exit(FatalIOError);
+        }
+        const clumpType& outerType = types_[types.second()];
+        const scalar inner = types_[types.first()].viscosityRatio();
+        const scalar outer = outerType.viscosityRatio();
+        if (inner != 1 && inner != outer)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'inside': the viscosityRatio of " << pair.first() << " is "
+                << inner << "; inside " << pair.second() << " it can be 1, the fluid of"
+                << " that type, or " << outer << '.' << exit(FatalIOError);
+        }
+        const scalar density = outerType.mass()/outerType.volume();
+        if (mag(density - rho) > 1e-6*rho)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'inside': the density of " << pair.second() << " is " << density
+                << " kg/m3. Around another membrane it must be that of the fluid, " << rho
+                << " kg/m3." << exit(FatalIOError);
+        }
+        inside_.append(types);
+    }
+}
+
+
+bool Foam::membraneContacts::isInside
+(
+    const clumpImage& inner,
+    const pointField& x,
+    const clumpImage& outer,
+    const surfaceDistance& distance
+) const
+{
+    if (!inside_.found(labelPair(inner.typeId, outer.typeId)))
+    {
+        return false;
+    }
+    const pointField centre(1, average(x));
+    return distance.inside(centre, distance.nearest(centre, typeOf(outer).reach()))[0];
+}
+
+
 void Foam::membraneContacts::refuseSmallSpheres(const dictionary& types) const
 {
     for (const clumpType& membrane : types_)
@@ -182,15 +263,22 @@ void Foam::membraneContacts::refuseOverlaps
                 (
                     typeOf(B).surface(), B.x, B.transform.invertsHands()
                 );
+                const scalar side = isInside(A, A.x, B, distance) ? -1 : 1;
                 for (const auto& p : distance.nearest(A.x, typeOf(B).halfWidth()))
                 {
-                    overlap = overlap || (p.found && p.distance < 0);
+                    overlap = overlap || (p.found && side*p.distance < 0);
                 }
 
-                // Also of surfaces that are the same
+                // Also of surfaces that are the same, if none may be inside the other
                 const pointField centre(1, average(A.x));
                 const auto p = distance.nearest(centre, typeOf(B).reach())[0];
-                overlap = overlap || (p.found && p.distance < 0);
+                overlap =
+                    overlap
+                 || (
+                        p.found && p.distance < 0
+                     && !inside_.found(labelPair(A.typeId, B.typeId))
+                     && !inside_.found(labelPair(B.typeId, A.typeId))
+                    );
             }
             else
             {
@@ -400,6 +488,16 @@ void Foam::membraneContacts::findNodes
         typeOf(ghosts.images()[nodes]).halfWidth(), type.halfWidth()
     );
 
+    // Of a container the inner side counts
+    const scalar side =
+        inside_.size()
+     && isInside
+        (
+            ghosts.images()[nodes], from.x,
+            ghosts.images()[triangles], distance(ghosts, triangles)
+        )
+      ? -1 : 1;
+
     // Deep inside, too
     const pointField x(from.x, near);
     const auto places = distance(ghosts, triangles).nearest
@@ -409,7 +507,7 @@ void Foam::membraneContacts::findNodes
     forAll(near, k)
     {
         const auto& p = places[k];
-        if (!p.found || p.distance >= reach())
+        if (!p.found || side*p.distance >= reach())
         {
             continue;
         }
@@ -417,7 +515,7 @@ void Foam::membraneContacts::findNodes
         (
             contactOf
             (
-                near[k], p.outwards, p.distance, 0.5*from.areas[near[k]], 2, R
+                near[k], side*p.outwards, side*p.distance, 0.5*from.areas[near[k]], 2, R
             )
         );
         const triFace& t = type.surface().triangles()[p.triangle];

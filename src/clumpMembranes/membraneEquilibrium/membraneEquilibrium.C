@@ -27,7 +27,8 @@ Foam::membraneEquilibrium::membraneEquilibrium
 bool Foam::membraneEquilibrium::find
 (
     const vectorField& forces,
-    pointField& x
+    pointField& x,
+    const membraneMinimiser::potential& touched
 ) const
 {
     const clumpType& type = mechanics_.type();
@@ -53,9 +54,10 @@ bool Foam::membraneEquilibrium::find
                 tangent->add(i, i, k*Eigen::Matrix3d::Identity());
             }
         }
-        return
+        const scalar own =
             sum((0.5*k*moved - forces) & moved)
           + mechanics_.add(y, gradient, tangent);
+        return touched ? own + touched(y, gradient, tangent) : own;
     };
 
     for (label n = 0; n < 300 && part < 1e4; ++n)

@@ -131,6 +131,7 @@ void Foam::membranes::immerseIn(const scalar rho)
     (
         new surfaceImmersion(mesh_, types_, getDict(clumpProperties_, "types"), rho)
     );
+    contacts_.readInside(clumpProperties_, rho);
 }
 
 

@@ -36,21 +36,6 @@ autoPtr<contactModel> lawOf(const dictionary& dict)
 }
 
 
-//- Barycentric coordinates of a point of a triangle. Those of OpenFOAM are a third
-//  each for triangles of micrometres
-vector coordinatesOf(const triFace& t, const pointField& x, const point& p)
-{
-    const vector a(x[t[1]] - x[t[0]]);
-    const vector b(x[t[2]] - x[t[0]]);
-    const vector r(p - x[t[0]]);
-    const vector n(a ^ b);
-    const scalar size = max(magSqr(n), VSMALL);
-    const scalar weightA = ((r ^ b) & n)/size;
-    const scalar weightB = ((a ^ r) & n)/size;
-    return vector(1 - weightA - weightB, weightA, weightB);
-}
-
-
 nodeContact contactOf
 (
     const label i,
@@ -79,34 +64,18 @@ nodeContact contactOf
     return c;
 }
 
-
-//- Let the contact of a node become that of the triangle which it touches at a point
-void setTriangle
-(
-    nodeContact& c,
-    const triFace& t,
-    const pointField& x,
-    const point& at
-)
-{
-    const vector w(coordinatesOf(t, x, at));
-    for (label n = 0; n < 3; ++n)
-    {
-        c.nodes[n] = t[n];
-        c.weights[n] = -w[n];
-    }
-}
-
 }
 
 
 Foam::membraneContacts::membraneContacts
 (
     const PtrList<clumpType>& types,
+    const polyBoundaryMesh& patches,
     const dictionary& dict
 )
 :
     types_(types),
+    patches_(patches),
     law_(lawOf(dict.subOrEmptyDict("membraneContact"))),
     stress_(0),
     range_(0),
@@ -127,6 +96,41 @@ Foam::membraneContacts::membraneContacts
     if (!law_.valid() && entries.found("stress"))
     {
         stress_ = getPositive(entries, "stress");
+    }
+}
+
+
+Foam::vector Foam::membraneContacts::coordinates
+(
+    const triFace& t,
+    const pointField& x,
+    const point& p
+)
+{
+    const vector a(x[t[1]] - x[t[0]]);
+    const vector b(x[t[2]] - x[t[0]]);
+    const vector r(p - x[t[0]]);
+    const vector n(a ^ b);
+    const scalar size = max(magSqr(n), VSMALL);
+    const scalar weightA = ((r ^ b) & n)/size;
+    const scalar weightB = ((a ^ r) & n)/size;
+    return vector(1 - weightA - weightB, weightA, weightB);
+}
+
+
+void Foam::membraneContacts::setTriangle
+(
+    nodeContact& c,
+    const triFace& t,
+    const pointField& x,
+    const point& at
+)
+{
+    const vector w(coordinates(t, x, at));
+    for (label n = 0; n < 3; ++n)
+    {
+        c.nodes[n] = t[n];
+        c.weights[n] = -w[n];
     }
 }
 
@@ -425,7 +429,7 @@ void Foam::membraneContacts::findNodes
         {
             c.first = ghosts.images()[nodes].typeId;
             c.second = ghosts.images()[triangles].typeId;
-            const vector w(coordinatesOf(t, to.x, p.at));
+            const vector w(coordinates(t, to.x, p.at));
             setStart
             (
                 c, from,
@@ -577,7 +581,7 @@ void Foam::membraneContacts::find
     const ghostExchange& ghosts,
     Cloud<clumpParcel>& clumps,
     const bool betweenClumps,
-    const wallSurface* walls
+    const wallContacts* walls
 )
 {
     const UList<clumpImage>& images = ghosts.images();
@@ -586,6 +590,7 @@ void Foam::membraneContacts::find
     for (clumpParcel& p : clumps)
     {
         nodesOf(p).contacts.clear();
+        nodesOf(p).bonds.clear();
         p.step().otherKindForces = externalForces();
         own.set(n++, &p);
     }
@@ -619,7 +624,7 @@ void Foam::membraneContacts::find
             {
                 findWalls
                 (
-                    a, images[a].typeId, *walls,
+                    a, images[a].typeId, walls->surface(),
                     nodesOf(own[a]).contacts
                 );
             }
@@ -629,6 +634,7 @@ void Foam::membraneContacts::find
             }
         }
     }
+    findBonds(ghosts, own, walls);
     if (!betweenClumps)
     {
         return;

@@ -18,9 +18,9 @@ for r in read("data.csv"):
     if r["kind"] == "hold":
         kind = r["direction"]
         columns = np.genfromtxt(r["history"], delimiter=",", names=True)
-        # The friction times the attraction, and the stress at the wall
-        radius, energy = (1.183e-6, 1e-7) if kind == "ring" else (2e-6, 1e-6)
-        friction = 0.3*r["n"]*2*math.pi*radius*energy
+        # The friction times the attraction, which neighbouring spheres of a ring share where they
+        # face the same gap, and the stress at the wall
+        friction = 0.3*(2*math.pi*2e-6*1e-6 if kind == "bead" else -columns["attraction_N"][0])
         stress = 1.2e-3*1.2e-3/24e-6*columns["t_s"]/r["ramp_s"]
         name = "wall, %s, %g mesh cells, step %g s, ranks %d: " % (
             kind, r["mesh_cells"], r["step_s"], r["ranks"])

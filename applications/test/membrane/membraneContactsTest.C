@@ -322,7 +322,8 @@ TEST_CASE("membrane contact: the force is the gradient of the potential",
     INFO(law);
     membraneContacts contacts
     (
-        types, dictOf("membraneContact { range 1; " + law + " }")
+        types, testMesh().boundaryMesh(),
+        dictOf("membraneContact { range 1; " + law + " }")
     );
     ghostExchange ghosts(testMesh());
 
@@ -417,4 +418,151 @@ TEST_CASE("membrane contact: the force is the gradient of the potential",
     contacts.add(list, vectorField(n, Zero), at, nullptr);
     CHECK(max(mag(F + at)) < 1e-14);
     CHECK(max(mag(F)) > 0.01);
+}
+
+
+TEST_CASE("membrane contact: a bond pulls both of its ends", "[membrane][parallel]")
+{
+    // Of a node with a point of a triangle, from the files of a run. The two capsules are
+    // so far apart that nothing else acts
+    const label node = 5, triangle = 20;
+    const vector weights(0.2, 0.3, 0.5);
+    surfaceBond bond;
+    bond.law = "a";
+    bond.clump = labelPair(0, 1);
+    bond.sphere = labelPair(node, triangle);
+    bond.otherAnchor = weights;
+    bond.length = 14e-6;
+    {
+        surfaceBonds file(testTime());
+        file.replace(List<surfaceBond>(Pstream::master() ? 1 : 0, bond));
+        file.regIOobject::write();
+    }
+    auto cloud = scene
+    (
+        "{ type capsule; position (6e-6 10e-6 10e-6); }"
+        "{ type capsule; position (14e-6 10.5e-6 9e-6); }",
+        "surfaceForces { a { type bell; types (capsule capsule); density 1e12; reach 1e-7;"
+        " onRate 0; offRate 0; compliance 0; stiffness 1e-5; restLength 1e-7; } }"
+    );
+    rm(testTime().timePath()/"uniform"/"surfaceBonds");
+
+    const clumpType& type = cloud->types()[0];
+    const triFace& t = type.surface().triangles()[triangle];
+    const pointField& x = type.centres();
+    const vector d
+    (
+        vector(8e-6, 0.5e-6, -1e-6)
+      + weights[0]*x[t[0]] + weights[1]*x[t[1]] + weights[2]*x[t[2]] - x[node]
+    );
+
+    // The string is as long as the range of contact, 0.5 um, longer than its rest length,
+    // and tightens over a tenth of that
+    const scalar tension = 1e-5*(mag(d) - 0.5e-6 - 1e-7 - 0.5e-8);
+    const Pair<vector> first(wrench(*cloud, 0));
+    const Pair<vector> second(wrench(*cloud, 1));
+    CHECK(mag(first.first() - tension*d/mag(d)) < 1e-9*tension);
+    CHECK(mag(first.first() + second.first()) < 1e-10*tension);
+    CHECK(mag(first.second() + second.second()) < 1e-10*tension*1e-5);
+}
+
+
+TEST_CASE("membrane contact: a bond has the gradient and the tangent of its potential",
+    "[membrane][serial]")
+{
+    PtrList<clumpType> types(1);
+    types.set
+    (
+        0,
+        new clumpType
+        (
+            "test",
+            dictOf
+            (
+                "density 1; membrane {}"
+                " shape { type icosphere; radius 1; subdivisions 1; }"
+            )
+        )
+    );
+    membraneContacts contacts(types, testMesh().boundaryMesh(), dictionary());
+    ghostExchange ghosts(testMesh());
+    const gapForces gaps
+    (
+        dictOf
+        (
+            "surfaceForces { a { type bell; density 1; reach 1; onRate 0; offRate 0;"
+            " compliance 0; stiffness 2; restLength 0.5; } }"
+        ),
+        types, testMesh().boundaryMesh()
+    );
+    contacts.begin(ghosts, 0.2, 1, Zero, gaps, false, 0);
+
+    // Slack, tightening, and tight; contact begins at 0.1
+    const scalar length = GENERATE(0.5, 0.62, 0.9);
+    INFO(length);
+    DynamicList<nodeBond> list;
+    nodeBond b;
+    b.nodes = -1;
+    b.weights = scalar(0);
+    b.nodes[0] = 3;
+    b.weights[0] = 1;
+    b.d = length*vector(0.6, 0, 0.8);
+    b.moves = 1;
+    b.number = 0;
+    b.first = true;
+    b.kinetics = gaps.kinetics("a");
+    list.append(b);
+    const triFace& t = types[0].surface().triangles()[5];
+    for (label n = 0; n < 3; ++n)
+    {
+        b.nodes[n] = t[n];
+    }
+    b.weights[0] = 0.2;
+    b.weights[1] = 0.5;
+    b.weights[2] = 0.3;
+    b.moves = 2;
+    list.append(b);
+
+    const label n = types[0].size();
+    vectorField F(n, Zero);
+    contacts.addForces(list, F);
+    const scalar s = length - 0.6;
+    const scalar tension =
+        s < 0 ? 0 : s < 0.05 ? 2*sqr(s)/0.1 : 2*(s - 0.025);
+    CHECK(mag(F[3] - tension*vector(0.6, 0, 0.8)) < 1e-12);
+    CHECK(mag(sum(F) - 2*tension*vector(0.6, 0, 0.8)) < 1e-12);
+
+    vectorField d(n);
+    Random random(2);
+    for (vector& e : d)
+    {
+        e = 0.001*randomVector(random);
+    }
+    vectorField gradient(n, Zero);
+    membraneTangent tangent(types[0].surface(), 1);
+    tangent.clear(true);
+    contacts.add(list, d, gradient, &tangent);
+    for (label k = 0; k < 5; ++k)
+    {
+        vectorField v(n);
+        for (vector& e : v)
+        {
+            e = randomVector(random);
+        }
+        const scalar h = 1e-6;
+        vectorField up(n, Zero), down(n, Zero);
+        const scalar slope =
+            (
+                contacts.add(list, d + h*v, up, nullptr)
+              - contacts.add(list, d - h*v, down, nullptr)
+            )/(2*h);
+        CHECK(sum(gradient & v) == Approx(slope).epsilon(1e-6).margin(1e-9));
+        const vectorField rate((up - down)/(2*h));
+        const Eigen::VectorXd Kv(tangent.times(membraneTangent::asVector(v)));
+        CHECK
+        (
+            (Kv - membraneTangent::asVector(rate)).norm()
+         <= 1e-5*Kv.norm() + 1e-9
+        );
+    }
 }

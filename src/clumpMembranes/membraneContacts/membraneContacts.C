@@ -37,21 +37,6 @@ autoPtr<contactModel> lawOf(const dictionary& dict)
 }
 
 
-//- Barycentric coordinates of a point of a triangle. Those of OpenFOAM are a third
-//  each for triangles of micrometres
-vector coordinatesOf(const triFace& t, const pointField& x, const point& p)
-{
-    const vector a(x[t[1]] - x[t[0]]);
-    const vector b(x[t[2]] - x[t[0]]);
-    const vector r(p - x[t[0]]);
-    const vector n(a ^ b);
-    const scalar size = max(magSqr(n), VSMALL);
-    const scalar weightA = ((r ^ b) & n)/size;
-    const scalar weightB = ((a ^ r) & n)/size;
-    return vector(1 - weightA - weightB, weightA, weightB);
-}
-
-
 nodeContact contactOf
 (
     const label i,
@@ -80,34 +65,18 @@ nodeContact contactOf
     return c;
 }
 
-
-//- Let the contact of a node become that of the triangle which it touches at a point
-void setTriangle
-(
-    nodeContact& c,
-    const triFace& t,
-    const pointField& x,
-    const point& at
-)
-{
-    const vector w(coordinatesOf(t, x, at));
-    for (label n = 0; n < 3; ++n)
-    {
-        c.nodes[n] = t[n];
-        c.weights[n] = -w[n];
-    }
-}
-
 }
 
 
 Foam::membraneContacts::membraneContacts
 (
     const PtrList<clumpType>& types,
+    const polyBoundaryMesh& patches,
     const dictionary& dict
 )
 :
     types_(types),
+    patches_(patches),
     law_(lawOf(dict.subOrEmptyDict("membraneContact"))),
     stress_(0),
     range_(0),
@@ -132,83 +101,38 @@ Foam::membraneContacts::membraneContacts
 }
 
 
-void Foam::membraneContacts::readInside
+Foam::vector Foam::membraneContacts::coordinates
 (
-    const dictionary& clumpProperties,
-    const scalar rho
+    const triFace& t,
+    const pointField& x,
+    const point& p
 )
 {
-    const dictionary dict(clumpProperties.subOrEmptyDict("membraneContact"));
-    List<Pair<word>> names;
-    dict.readIfPresent("inside", names);
-    for (const Pair<word>& pair : names)
-    {
-        labelPair types(-1, -1);
-        wordList membranes;
-        forAll(types_, typei)
-        {
-            if (!types_[typei].hasTriangles())
-            {
-                continue;
-            }
-            membranes.append(types_[typei].name());
-            for (label n = 0; n < 2; ++n)
-            {
-                if (types_[typei].name() == pair[n])
-                {
-                    types[n] = typei;
-                }
-            }
-        }
-        if
-        (
-            types.first() < 0
-         || types.second() < 0
-         || types.first() == types.second()
-        )
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'inside': (" << pair.first() << ' ' << pair.second()
-                << ") are not two types of membranes. Valid types: "
-                << flatOutput(membranes) << exit(FatalIOError);
-        }
-        const clumpType& outerType = types_[types.second()];
-        const scalar inner = types_[types.first()].viscosityRatio();
-        const scalar outer = outerType.viscosityRatio();
-        if (inner != 1 && inner != outer)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'inside': the viscosityRatio of " << pair.first() << " is "
-                << inner << "; inside " << pair.second() << " it can be 1, the fluid of"
-                << " that type, or " << outer << '.' << exit(FatalIOError);
-        }
-        const scalar density = outerType.mass()/outerType.volume();
-        if (mag(density - rho) > 1e-6*rho)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'inside': the density of " << pair.second() << " is " << density
-                << " kg/m3. Around another membrane it must be that of the fluid, " << rho
-                << " kg/m3." << exit(FatalIOError);
-        }
-        inside_.append(types);
-    }
+    const vector a(x[t[1]] - x[t[0]]);
+    const vector b(x[t[2]] - x[t[0]]);
+    const vector r(p - x[t[0]]);
+    const vector n(a ^ b);
+    const scalar size = max(magSqr(n), VSMALL);
+    const scalar weightA = ((r ^ b) & n)/size;
+    const scalar weightB = ((a ^ r) & n)/size;
+    return vector(1 - weightA - weightB, weightA, weightB);
 }
 
 
-bool Foam::membraneContacts::isInside
+void Foam::membraneContacts::setTriangle
 (
-    const clumpImage& inner,
+    nodeContact& c,
+    const triFace& t,
     const pointField& x,
-    const clumpImage& outer,
-    const surfaceDistance& distance
-) const
+    const point& at
+)
 {
-    if (!inside_.found(labelPair(inner.typeId, outer.typeId)))
+    const vector w(coordinates(t, x, at));
+    for (label n = 0; n < 3; ++n)
     {
-        return false;
+        c.nodes[n] = t[n];
+        c.weights[n] = -w[n];
     }
-    const pointField centre(1, average(x));
-    return distance.inside(centre, distance.nearest(centre, typeOf(outer).reach()))[0];
 }
 
 
@@ -523,7 +447,7 @@ void Foam::membraneContacts::findNodes
         {
             c.first = ghosts.images()[nodes].typeId;
             c.second = ghosts.images()[triangles].typeId;
-            const vector w(coordinatesOf(t, to.x, p.at));
+            const vector w(coordinates(t, to.x, p.at));
             setStart
             (
                 c, from,
@@ -675,7 +599,7 @@ void Foam::membraneContacts::find
     const ghostExchange& ghosts,
     Cloud<clumpParcel>& clumps,
     const bool betweenClumps,
-    const wallSurface* walls
+    const wallContacts* walls
 )
 {
     const UList<clumpImage>& images = ghosts.images();
@@ -684,6 +608,7 @@ void Foam::membraneContacts::find
     for (clumpParcel& p : clumps)
     {
         nodesOf(p).contacts.clear();
+        nodesOf(p).bonds.clear();
         p.step().otherKindForces = externalForces();
         own.set(n++, &p);
     }
@@ -717,7 +642,7 @@ void Foam::membraneContacts::find
             {
                 findWalls
                 (
-                    a, images[a].typeId, *walls,
+                    a, images[a].typeId, walls->surface(),
                     nodesOf(own[a]).contacts
                 );
             }
@@ -727,6 +652,7 @@ void Foam::membraneContacts::find
             }
         }
     }
+    findBonds(ghosts, own, walls);
     if (!betweenClumps)
     {
         return;

@@ -127,6 +127,7 @@ void Foam::membraneStep::impose
             mechanics_.forces(s.x + dx, &start)
           + step.forces.f - (step.forces.k & dx);
         contacts_.addForces(nodes.contacts, F);
+        contacts_.addForces(nodes.bonds, F);
     }
     else if (s.nodeForceRates.size())
     {
@@ -252,6 +253,7 @@ Foam::scalar Foam::membraneStep::value
         addResistance(step, deviation, gradient, tangent)
       + mechanics_.add(y, gradient, tangent, &step.start)
       + contacts_.add(step.contacts, y - step.imposed, gradient, tangent)
+      + contacts_.add(step.bonds, y - step.imposed, gradient, tangent)
       + sum((given + 0.5*tetherForces) & moved);
 }
 
@@ -295,6 +297,7 @@ void Foam::membraneStep::advance
         p.step().forces,
         start,
         flow.contacts,
+        flow.bonds,
         s.x + dt*p.step().imposedU
     };
 

@@ -46,7 +46,7 @@ Foam::membranes::membranes(const clumpKind::site& s)
     mesh_(s.mesh),
     types_(s.types),
     clumpProperties_(s.clumpProperties),
-    contacts_(s.types, s.clumpProperties)
+    contacts_(s.types, s.mesh.boundaryMesh(), s.clumpProperties)
 {}
 
 
@@ -346,7 +346,7 @@ void Foam::membranes::impose
     Cloud<clumpParcel>& clumps,
     ghostExchange& ghosts,
     const bool clumpsTouch,
-    const wallSurface* walls
+    const wallContacts* walls
 )
 {
     contacts_.find(ghosts, clumps, clumpsTouch, walls);
@@ -364,6 +364,18 @@ void Foam::membranes::impose
         }
     }
     surfaces_->spread(ghosts);
+}
+
+
+void Foam::membranes::addBonds
+(
+    const Cloud<clumpParcel>& clumps,
+    const ghostExchange& ghosts,
+    const gapForces& gaps,
+    DynamicList<surfaceBond>& bonds
+)
+{
+    contacts_.addBonds(clumps, ghosts, gaps, mesh_.time().timeIndex(), bonds);
 }
 
 

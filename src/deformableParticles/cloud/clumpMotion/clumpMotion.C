@@ -6,6 +6,7 @@
 #include "clumpMotion.H"
 #include "clumpTotals.H"
 #include "fluidCoupling.H"
+#include "HashSet.H"
 #include "mathematicalConstants.H"
 #include "vector2D.H"
 
@@ -136,14 +137,18 @@ void Foam::clumpMotion::refuseOverlaps(const dictionary& placement) const
 }
 
 
-const Foam::wallSurface* Foam::clumpMotion::touchedWalls()
+const Foam::wallContacts* Foam::clumpMotion::touchedWalls()
 {
     if (!decisions_.wallsMayTouch())
     {
         return nullptr;
     }
     walls_.update(clumps_.ghosts());
-    return &walls_.surface();
+    if (gaps_.bonds())
+    {
+        walls_.updateMotions(clumps_.ghosts(), gaps_);
+    }
+    return &walls_;
 }
 
 
@@ -379,9 +384,9 @@ void Foam::clumpMotion::accept(const vector& flowChange)
     {
         pairs_ = contacting_.pairs();
     }
-    if (gaps_.bonds() && contacting_.searched())
+    if (gaps_.bonds())
     {
-        gaps_.bonds()->replace(contacting_.renewedBonds());
+        renewBonds();
     }
     for (clumpParcel& p : clumps_)
     {
@@ -403,6 +408,39 @@ void Foam::clumpMotion::accept(const vector& flowChange)
         p.accept(type(p), dt*clumps_.meshVelocity(), flowChange);
     }
     contacting_.forget();
+}
+
+
+void Foam::clumpMotion::renewBonds()
+{
+    DynamicList<surfaceBond> bonds;
+    if (contacting_.searched())
+    {
+        bonds = contacting_.renewedBonds();
+    }
+    else
+    {
+        labelHashSet own;
+        for (const clumpParcel& p : clumps_)
+        {
+            if (type(p).ofSpheres())
+            {
+                own.insert(p.origId());
+            }
+        }
+        for (const surfaceBond& b : gaps_.bonds()->bonds())
+        {
+            if (own.found(b.clump.first()))
+            {
+                bonds.append(b);
+            }
+        }
+    }
+    for (clumpKind& kind : clumps_.kinds())
+    {
+        kind.addBonds(clumps_, clumps_.ghosts(), gaps_, bonds);
+    }
+    gaps_.bonds()->replace(bonds);
 }
 
 

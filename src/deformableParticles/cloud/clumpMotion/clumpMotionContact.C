@@ -18,7 +18,7 @@ void Foam::clumpMotion::findContacts(const scalar dt)
     {
         // A clump that has come to another processor needs the walls around it there
         walls_.update(clumps_.ghosts());
-        walls_.updateMotions(clumps_.ghosts());
+        walls_.updateMotions(clumps_.ghosts(), gaps_);
     }
 
     // In further outer correctors the clumps are still where the step began

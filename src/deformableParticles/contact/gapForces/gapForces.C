@@ -137,26 +137,19 @@ void Foam::gapForces::checkBonds
     const surfaceLaw& law
 ) const
 {
-    for (label i = 0; law.law->bonds() && i < nTypes_; ++i)
+    for (label k = 0; law.law->bonds() && k < law.ofTypes.size(); ++k)
     {
-        const bool named =
-            SubList<bool>(law.ofTypes, nTypes_, i*nTypes_).found(true)
-         || SubList<bool>(law.ofPatches, nPatches_, i*nPatches_).found(true);
-        if (named && !types_[i].ofSpheres())
+        const clumpType& first = types_[k/nTypes_];
+        const clumpType& second = types_[k % nTypes_];
+        if (law.ofTypes[k] && first.ofSpheres() && !second.ofSpheres())
         {
-            DynamicList<word> valid;
-            for (const clumpType& ct : types_)
-            {
-                if (ct.ofSpheres() && !ct.isPiece())
-                {
-                    valid.append(ct.name());
-                }
-            }
             FatalIOErrorInFunction(dict)
                 << "Entry 'type' is " << dict.get<word>("type") << ", which forms bonds"
-                << " between clumps of spheres, but acts on the clump type "
-                << types_[i].name() << ". Valid entries of 'types': "
-                << flatOutput(valid) << exit(FatalIOError);
+                << " among clumps of spheres and among others, but would act between "
+                << first.name() << " and " << second.name() << ". Valid entries of"
+                << " 'types': (" << first.name() << ' ' << first.name() << ") or ("
+                << second.name() << ' ' << second.name() << "), one law for each"
+                << exit(FatalIOError);
         }
     }
 }

@@ -45,10 +45,14 @@ void Foam::wallContacts::update(const ghostExchange& ghosts)
 }
 
 
-void Foam::wallContacts::updateMotions(const ghostExchange& ghosts)
+void Foam::wallContacts::updateMotions
+(
+    const ghostExchange& ghosts,
+    const gapForces& gaps
+)
 {
     const auto* U = mesh_.findObject<volVectorField>("U");
-    if (!laws_.frictional() || !U)
+    if (!(laws_.frictional() || gaps.bonds()) || !U)
     {
         return;
     }
@@ -62,7 +66,9 @@ void Foam::wallContacts::updateMotions(const ghostExchange& ghosts)
         bool rubs = false;
         forAll(types_, typei)
         {
-            rubs = rubs || laws_(typei, patchi).frictional();
+            rubs =
+                rubs || laws_(typei, patchi).frictional()
+             || gaps.kineticsAt({typei, patchi, true, 0}).size();
         }
         if (!rubs)
         {
@@ -78,7 +84,7 @@ void Foam::wallContacts::updateMotions(const ghostExchange& ghosts)
                     << "The wall patch " << mesh_.boundaryMesh()[patchi].name()
                     << " turns about the direction " << w/mag(w) << " in a mesh with the"
                     << " period " << shift << ": its images would not move as it does."
-                    << " Friction needs walls that turn about a periodic direction,"
+                    << " Friction and bonds need walls that turn about a periodic direction,"
                     << " or no periodic patches." << exit(FatalError);
             }
         }

@@ -40,8 +40,9 @@ Foam::wallMotion::wallMotion(const fvPatchField<vector>& U)
             << "The wall patch " << U.patch().name() << " does not move as a rigid body:"
             << " its velocity differs from one by up to " << error << " m/s, "
             << label(100*error/fastest + 0.5) << " % of the largest." << nl
-            << "    Friction needs patches that translate and rotate as a whole. Divide"
-            << " the patch, or remove friction from it with an entry of 'pairs' in"
-            << " wallContactModel." << exit(FatalError);
+            << "    Friction and bonds need patches that translate and rotate as a whole."
+            << " Divide the patch, or remove friction from it with an entry of 'pairs' in"
+            << " wallContactModel, and laws of surfaceForces that form bonds."
+            << exit(FatalError);
     }
 }

@@ -7,6 +7,7 @@
 #include "cellSetOption.H"
 #include "clumpMotion.H"
 #include "clumpTotals.H"
+#include "meshMotion.H"
 #include <Eigen/Eigenvalues>
 
 namespace
@@ -186,6 +187,10 @@ Foam::string Foam::slidingMesh::obstacle()
         return "the flow does not feel the clumps";
     }
     const volVectorField& U = flow_.U();
+    if (meshMotion::moves(U.mesh()))
+    {
+        return "the points of the mesh move";
+    }
     if (mag(alongBoundary(U.mesh(), Zero)) == 0)
     {
         return "no straight duct with periodic ends";

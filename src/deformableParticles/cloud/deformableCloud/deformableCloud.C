@@ -182,3 +182,10 @@ void Foam::deformableCloud::meshChanged()
     source_->meshChanged();
     openPatches_.clear();
 }
+
+
+void Foam::deformableCloud::pointsMoved(const UList<point>& places)
+{
+    meshChanged();
+    stay(places);
+}

@@ -174,7 +174,10 @@ void Foam::deformableCloud::meshChanged()
 {
     ghosts_.meshChanged();
     motion().meshChanged();
-    coupling_->boundary().meshChanged();
+    if (hasFluid())
+    {
+        coupling_->boundary().meshChanged();
+    }
     for (clumpKind& kind : kinds_)
     {
         kind.meshChanged();

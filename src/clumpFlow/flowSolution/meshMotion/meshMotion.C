@@ -11,6 +11,8 @@
 #include "fvcMeshPhi.H"
 #include "incompressibleFlow.H"
 #include "points0MotionSolver.H"
+#include "solidBodyMotionSolver.H"
+#include "unsolvedPhysics.H"
 #include "wallPolyPatch.H"
 
 namespace
@@ -38,13 +40,20 @@ bool Foam::meshMotion::moves(const fvMesh& mesh)
 
 void Foam::meshMotion::start(dynamicFvMesh& mesh)
 {
-    const bool started = mesh.time().startTimeIndex() == 0;
-    if (!started || !moves(mesh) || !isA<dynamicMotionSolverFvMesh>(mesh))
+    if (!moves(mesh))
     {
         return;
     }
-    const auto& moving = refCast<const dynamicMotionSolverFvMesh>(mesh);
-    if (isA<points0MotionSolver>(moving.motion()))
+    const motionSolver* motion =
+        isA<dynamicMotionSolverFvMesh>(mesh)
+      ? &refCast<const dynamicMotionSolverFvMesh>(mesh).motion()
+      : nullptr;
+    if (!motion || !isA<solidBodyMotionSolver>(*motion))
+    {
+        unsolvedPhysics::refuseSplitPairs(mesh, "move");
+    }
+    const bool started = mesh.time().startTimeIndex() == 0;
+    if (started && motion && isA<points0MotionSolver>(*motion))
     {
         mesh.update();
         mesh.moving(false);
@@ -180,7 +189,7 @@ void Foam::meshMotion::checkFluxes() const
     }
     reduce(in, sumOp<scalar>());
     reduce(sum, sumOp<scalar>());
-    if (!returnReduce(open, orOp<bool>()) && mag(sum) > 1e-6*in)
+    if (!returnReduce(open, orOp<bool>()) && mag(sum) > 1e-8*in)
     {
         FatalErrorInFunction
             << "At time " << mesh_.time().timeName() << " the walls change the volume of"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "unsolvedPhysics.H"
+#include "foamCompat.H"
 #include "fvOptionList.H"
 #include "IOdictionary.H"
 #include "jumpCyclicFvPatchFields.H"
@@ -180,6 +181,46 @@ void Foam::unsolvedPhysics::refuseSplitJumps(const volScalarField& p)
             << "    constraints { pairs { type preservePatches; patches (" << half.name()
             << ' ' << refCast<const cyclicPolyPatch>(half).neighbPatchName() << "); } }"
             << exit(FatalError);
+    }
+}
+
+
+void Foam::unsolvedPhysics::refuseSplitPairs(const fvMesh& mesh, const char* what)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    labelList split(patches.nNonProcessor(), 0);
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<processorCyclicPolyPatch>(pp))
+        {
+            const cyclicPolyPatch& half = refCast<const cyclicPolyPatch>
+            (
+                refCast<const processorCyclicPolyPatch>(pp).referPatch()
+            );
+            split[half.index()] = 1;
+            split[half.neighbPatchID()] = 1;
+        }
+    }
+    reduceList(split, maxEqOp<label>());
+
+    string names;
+    forAll(split, patchi)
+    {
+        if (split[patchi])
+        {
+            names += (names.empty() ? "" : " ") + patches[patchi].name();
+        }
+    }
+    if (!names.empty())
+    {
+        FatalErrorInFunction
+            << "The mesh cannot " << what << ", since faces of the cyclic patches "
+            << names.c_str() << " and their counterparts are on different"
+            << " processors." << nl
+            << "    Decompose the case with this entry in system/decomposeParDict:"
+            << nl
+            << "    constraints { pairs { type preservePatches; patches ("
+            << names.c_str() << "); } }" << exit(FatalError);
     }
 }
 

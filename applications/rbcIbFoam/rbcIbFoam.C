@@ -18,7 +18,8 @@ Description
     constant/clumpProperties (see deformableCloud).
 
     With constant/dynamicMeshDict the mesh refines around the clumps
-    (clumpRefineFvMesh on the field clumpCloseness, see immersedBoundary).
+    (clumpRefineFvMesh on the field clumpCloseness, see immersedBoundary), or its
+    points and walls move (dynamicMotionSolverFvMesh and others, see meshMotion).
 
     Without a fluid (no constant/transportProperties) the clumps move alone. With a
     frozen flow, or with feedback off (clumpProperties, effects), the flow drags
@@ -42,6 +43,7 @@ Description
 #include "heldMeanVelocity.H"
 #include "incompressibleFlow.H"
 #include "meshCheck.H"
+#include "meshMotion.H"
 #include "meshRefinement.H"
 #include "obliqueFlux.H"
 #include "rateViscosity.H"
@@ -64,6 +66,7 @@ int main(int argc, char* argv[])
         << "Create time" << nl << endl;
     completeTime runTime(args);
     #include "createDynamicFvMesh.H"
+    meshMotion::start(mesh);
     meshCheck::check(mesh);
     runTime.need("phi", "U");
     #include "createFields.H"
@@ -78,6 +81,7 @@ int main(int argc, char* argv[])
         do
         {
             monitor.beginStep();
+            motion.beginStep();
 
             if (flow.solved())
             {
@@ -108,6 +112,7 @@ int main(int argc, char* argv[])
             coupling.endStep();
             monitor.check(U, p, phi);
         }
+        motion.endStep();
         cloud.moveParcels();
 
         monitor.write();

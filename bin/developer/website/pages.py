@@ -15,8 +15,8 @@ from .formulas import NotAFormula, block, isEquation, sentence
 CONTENTS = {
     "Guide": "doc/install doc/userGuide doc/addCells doc/models/README doc/calibrateClump "
              "doc/mechanicalTests "
-             "doc/python doc/sorting doc/solutes doc/accuracy doc/caseSize doc/restart doc/limits "
-             "doc/releases",
+             "doc/python doc/sorting doc/movingMeshes doc/solutes doc/accuracy doc/caseSize "
+             "doc/restart doc/limits doc/releases",
     "Tutorials": "tutorials/gallery tutorials/README doc/courses/README",
     "Validation": "validation/README",
     "Theory": "doc/theory doc/howAStepWorks",

@@ -587,7 +587,7 @@ void Foam::membraneContacts::findWalls
                 contacts.last().first = type;
                 contacts.last().second = wall.patch;
                 contacts.last().atWall = true;
-                setStart(contacts.last(), nodes, vector::zero);
+                setStart(contacts.last(), nodes, wall.moved);
             }
         }
     }

@@ -198,6 +198,13 @@ Foam::tmp<Foam::surfaceScalarField> Foam::functionObjects::clumpSolute::flux() c
             << name() << ": there is no flow (phi) that a solute could go with"
             << exit(FatalError);
     }
+    if (mesh_.moving())
+    {
+        FatalErrorInFunction
+            << name() << ": the points of the mesh move (constant/dynamicMeshDict). A"
+            << " solute is transported on meshes that stand, slide or are refined."
+            << exit(FatalError);
+    }
     tmp<surfaceScalarField> result(new surfaceScalarField("soluteFlux", *phi));
     const vector& V = cloud().meshVelocity();
     if (V != vector::zero)

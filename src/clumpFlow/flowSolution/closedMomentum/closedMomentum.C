@@ -73,8 +73,13 @@ void Foam::closedMomentum::correct()
     const scalar dt = U.time().deltaTValue();
 
     const clumpMomentum& m = cloud_.motion().momentum();
-    const vectorField change(U.primitiveField() - U.oldTime().primitiveField());
-    vector excess(rho*sum(V*change)/dt + m.rate - m.displaced - m.applied);
+    const vectorField change
+    (
+        U.mesh().moving()
+      ? V*U.primitiveField() - U.mesh().V0()*U.oldTime().primitiveField()
+      : V*(U.primitiveField() - U.oldTime().primitiveField())
+    );
+    vector excess(rho*sum(change)/dt + m.rate - m.displaced - m.applied);
     scalar mass = rho*sum(V) + excessMass(cloud_);
     if (flow_.densityRatio())
     {

@@ -135,9 +135,16 @@ Foam::tmp<Foam::volVectorField> Foam::clumpDisplacement
         if (nearest[celli] >= 0)
         {
             const label k = nearest[celli];
+            vector way(ofImages[k]);
+            if (mesh.moving())
+            {
+                // Less that of the mesh cell itself
+                way -=
+                    mesh.cellCentres()[celli]
+                  - mesh.cells()[celli].centre(mesh.oldPoints(), mesh.faces());
+            }
             result.ref()[celli] =
-                fading(mag(mesh.cellCentres()[celli] - images[k])/reach)
-               *ofImages[k];
+                fading(mag(mesh.cellCentres()[celli] - images[k])/reach)*way;
         }
     }
     result.ref().correctBoundaryConditions();

@@ -4,18 +4,22 @@
 \*---------------------------------------------------------------------------*/
 
 #include "incompressibleFlow.H"
+#include "coupledPatches.H"
 #include "fluidsInside.H"
 #include "ignoreOverflow.H"
 #include "checkedEntries.H"
 #include "findRefCell.H"
+#include "fvcDdt.H"
 #include "fvcDiv.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
+#include "fvcMeshPhi.H"
 #include "fvmDdt.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
 #include "initialPressure.H"
+#include "meshMotion.H"
 #include "solverSettings.H"
 #include "unsolvedPhysics.H"
 
@@ -166,7 +170,13 @@ void Foam::incompressibleFlow::startFields(const fvMesh& mesh)
     // Boundary conditions may look up phi
     const bool goesOn =
         IOobject(file).typeHeaderOk<surfaceScalarField>(true);
-    if (Pstream::parRun() || !goesOn)
+    if (goesOn && mesh.moving())
+    {
+        // A wall that moves has had its velocity in the step before
+        evaluateCoupled(U_->boundaryFieldRef(false));
+        p_->correctBoundaryConditions();
+    }
+    else if (Pstream::parRun() || !goesOn)
     {
         U_->correctBoundaryConditions();
         p_->correctBoundaryConditions();
@@ -175,6 +185,19 @@ void Foam::incompressibleFlow::startFields(const fvMesh& mesh)
     {
         *phi_ = fvc::flux(*U_);
         setInitialPressure(*p_);
+    }
+    if (meshMotion::moves(mesh))
+    {
+        const IOobject faceFile
+        (
+            "Uf", mesh.time().timeName(), mesh,
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        );
+        Uf_.reset(new surfaceVectorField(faceFile, fvc::interpolate(*U_)));
+        if (!IOobject(faceFile).typeHeaderOk<surfaceVectorField>(true))
+        {
+            keepFaceVelocity();
+        }
     }
 }
 
@@ -439,11 +462,77 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::convection
     convecting_->checkOut();
 
     // Inside a dilating clump div(phi) is not zero
+    tmp<volScalarField> divergence(fvc::div(*convecting_));
+    if (Uf_.valid())
+    {
+        // The change of volumes, with the scheme of the time derivative
+        divergence.ref() += fvc::ddt
+        (
+            dimensionedScalar(U_->name(), dimless, 1), U_->mesh()
+        );
+    }
     return dense
     (
-        fvm::div(*convecting_, *U_, "div(phi,U)")
-      - fvm::Sp(fvc::div(*convecting_), *U_)
+        fvm::div(*convecting_, *U_, "div(phi,U)") - fvm::Sp(divergence, *U_)
     );
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::incompressibleFlow::ddtCorr() const
+{
+    return Uf_.valid() ? fvc::ddtCorr(*U_, *Uf_) : fvc::ddtCorr(*U_, *phi_);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::incompressibleFlow::sweptFlux() const
+{
+    return -fvc::meshPhi(*U_);
+}
+
+
+void Foam::incompressibleFlow::makeRelative()
+{
+    if (Uf_.valid())
+    {
+        fvc::makeRelative(*phi_, *U_);
+    }
+}
+
+
+void Foam::incompressibleFlow::pointsMoved()
+{
+    U_->correctBoundaryConditions();
+
+    const fvMesh& mesh = U_->mesh();
+    surfaceScalarField& phi = *phi_;
+    phi = mesh.Sf() & Uf_->oldTime();
+    forAll(phi.boundaryField(), patchi)
+    {
+        if (!mesh.boundary()[patchi].coupled())
+        {
+            phi.boundaryFieldRef()[patchi] =
+                mesh.boundary()[patchi].Sf() & U_->boundaryField()[patchi];
+        }
+    }
+    makeRelative();
+    if (carried_.valid())
+    {
+        carried_->meshChanged();
+    }
+    if (mobility_.valid())
+    {
+        mobility_->meshChanged();
+    }
+}
+
+
+void Foam::incompressibleFlow::keepFaceVelocity()
+{
+    const fvMesh& mesh = U_->mesh();
+    surfaceVectorField& Uf = *Uf_;
+    Uf = fvc::interpolate(*U_);
+    const surfaceVectorField n(mesh.Sf()/mesh.magSf());
+    Uf += n*(fvc::absolute(*phi_, *U_)/mesh.magSf() - (n & Uf));
 }
 
 

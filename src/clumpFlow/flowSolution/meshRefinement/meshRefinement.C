@@ -7,9 +7,7 @@
 #include "clumpRefineFvMesh.H"
 #include "coupledPatches.H"
 #include "deformableCloud.H"
-#include "foamCompat.H"
 #include "incompressibleFlow.H"
-#include "processorCyclicPolyPatch.H"
 #include "unsolvedPhysics.H"
 
 namespace
@@ -28,48 +26,6 @@ void updateCoupled(const fvMesh& mesh)
     for (const word& name : fields.sortedToc())
     {
         evaluateCoupled(fields[name]->boundaryFieldRef(false));
-    }
-}
-
-
-//- Fatal where the two halves of a cyclic pair are on different processors, since
-//  OpenFOAM cannot match their refined faces
-void refuseSplitPairs(const fvMesh& mesh)
-{
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    labelList split(patches.nNonProcessor(), 0);
-    for (const polyPatch& pp : patches)
-    {
-        if (isA<processorCyclicPolyPatch>(pp))
-        {
-            const cyclicPolyPatch& half = refCast<const cyclicPolyPatch>
-            (
-                refCast<const processorCyclicPolyPatch>(pp).referPatch()
-            );
-            split[half.index()] = 1;
-            split[half.neighbPatchID()] = 1;
-        }
-    }
-    reduceList(split, maxEqOp<label>());
-
-    string names;
-    forAll(split, patchi)
-    {
-        if (split[patchi])
-        {
-            names += (names.empty() ? "" : " ") + patches[patchi].name();
-        }
-    }
-    if (!names.empty())
-    {
-        FatalErrorInFunction
-            << "The mesh cannot be refined, since faces of the cyclic patches "
-            << names.c_str() << " and their counterparts are on different"
-            << " processors." << nl
-            << "    Decompose the case with this entry in system/decomposeParDict:"
-            << nl
-            << "    constraints { pairs { type preservePatches; patches ("
-            << names.c_str() << "); } }" << exit(FatalError);
     }
 }
 
@@ -93,7 +49,7 @@ void Foam::refineAroundClumps
     const bool first = time.timeIndex() == time.startTimeIndex() + 1;
     if (first)
     {
-        refuseSplitPairs(mesh);
+        unsolvedPhysics::refuseSplitPairs(mesh, "be refined");
         if
         (
             Pstream::parRun() && isA<dynamicRefineFvMesh>(mesh)

@@ -6,6 +6,7 @@
 #include "slidingMesh.H"
 #include "clumpMotion.H"
 #include "clumpTotals.H"
+#include "meshMotion.H"
 #include "placedConditions.H"
 #include <Eigen/Eigenvalues>
 
@@ -124,6 +125,10 @@ Foam::string Foam::slidingMesh::obstacle()
         return "the flow does not feel the clumps";
     }
     const volVectorField& U = flow_.U();
+    if (meshMotion::moves(U.mesh()))
+    {
+        return "the points of the mesh move";
+    }
     if (mag(alongBoundary(U.mesh(), Zero)) == 0)
     {
         return "no straight duct with periodic ends";

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "unsolvedPhysics.H"
-#include "dynamicRefineFvMesh.H"
+#include "foamCompat.H"
 #include "fvOptionList.H"
 #include "IOdictionary.H"
 #include "jumpCyclicFvPatchFields.H"
@@ -57,9 +57,10 @@ const fixedSwitch fixedSwitches[] =
     {"turbOnFinalIterOnly", false, "there is no turbulence model, and the viscosity"
         " is updated in every outer corrector"},
     {"ddtCorr", true, "the fluxes always have the correction for the time derivative"},
-    {"correctPhi", false, "after a refinement the fluxes are those of U"},
-    {"checkMeshCourantNo", false, "the points of the mesh do not move"},
-    {"moveMeshOuterCorrectors", false, "the points of the mesh do not move"}
+    {"correctPhi", false, "after a change of the mesh the fluxes are those of U, and the"
+        " momentum equation subtracts their divergence"},
+    {"checkMeshCourantNo", false, "the Courant number is that of the flow over the mesh"},
+    {"moveMeshOuterCorrectors", false, "the points of the mesh move once in a step"}
 };
 
 }
@@ -126,21 +127,16 @@ void Foam::unsolvedPhysics::refuse(const fvMesh& mesh)
                 << exit(FatalIOError);
         }
     }
-
-    if (mesh.dynamic() && !isA<dynamicRefineFvMesh>(mesh))
-    {
-        refuseMotion(mesh);
-    }
 }
 
 
 void Foam::unsolvedPhysics::refuseMotion(const fvMesh& mesh)
 {
     FatalErrorInFunction
-        << "The points of the mesh move: " << polyMeshType(mesh) << " in "
-        << mesh.time().constant()/"dynamicMeshDict" << '.' << nl
-        << "    Clumps can be used with meshes that are refined"
-        << " (dynamicRefineFvMesh) or do not change." << exit(FatalError);
+        << "The points of the mesh move while it is refined: " << polyMeshType(mesh)
+        << " in " << mesh.time().constant()/"dynamicMeshDict" << '.' << nl
+        << "    Use a mesh that is refined (clumpRefineFvMesh) or one whose points move"
+        << " (dynamicMotionSolverFvMesh)." << exit(FatalError);
 }
 
 
@@ -185,6 +181,46 @@ void Foam::unsolvedPhysics::refuseSplitJumps(const volScalarField& p)
             << "    constraints { pairs { type preservePatches; patches (" << half.name()
             << ' ' << refCast<const cyclicPolyPatch>(half).neighbPatchName() << "); } }"
             << exit(FatalError);
+    }
+}
+
+
+void Foam::unsolvedPhysics::refuseSplitPairs(const fvMesh& mesh, const char* what)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    labelList split(patches.nNonProcessor(), 0);
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<processorCyclicPolyPatch>(pp))
+        {
+            const cyclicPolyPatch& half = refCast<const cyclicPolyPatch>
+            (
+                refCast<const processorCyclicPolyPatch>(pp).referPatch()
+            );
+            split[half.index()] = 1;
+            split[half.neighbPatchID()] = 1;
+        }
+    }
+    reduceList(split, maxEqOp<label>());
+
+    string names;
+    forAll(split, patchi)
+    {
+        if (split[patchi])
+        {
+            names += (names.empty() ? "" : " ") + patches[patchi].name();
+        }
+    }
+    if (!names.empty())
+    {
+        FatalErrorInFunction
+            << "The mesh cannot " << what << ", since faces of the cyclic patches "
+            << names.c_str() << " and their counterparts are on different"
+            << " processors." << nl
+            << "    Decompose the case with this entry in system/decomposeParDict:"
+            << nl
+            << "    constraints { pairs { type preservePatches; patches ("
+            << names.c_str() << "); } }" << exit(FatalError);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "clumpFields.H"
 #include "clumpSource.H"
 #include "fluidCoupling.H"
+#include "standingMesh.H"
 #include "symmetryPlanes.H"
 
 bool Foam::clumpSuspension::injects() const
@@ -89,21 +90,9 @@ void Foam::clumpSuspension::removeLeaving()
 }
 
 
-bool Foam::clumpSuspension::transfer()
+void Foam::clumpSuspension::track()
 {
-    const timeBreakdown::timer t(timing_, "clumps");
-    if (coupled())
-    {
-        couplingCoefficient::report(*this, nClumps());
-    }
-    breakage_.divide(*this, *source_, count_);
-    removeLeaving();
-    const scalar dt = mesh_.time().deltaTValue();
-    for (clumpParcel& p : *this)
-    {
-        p.slideBack(dt*meshVelocity_);
-        p.recentre(type(p));
-    }
+    const standingMesh standing(mesh_);
     clumpParcel::trackingData td(*this);
     td.reached = [this](const clumpParcel& p, const label patchi)
     {
@@ -124,7 +113,50 @@ bool Foam::clumpSuspension::transfer()
             count_.leave(p, patchi);
         }
     };
-    Cloud<clumpParcel>::move(*this, td, dt);
+    Cloud<clumpParcel>::move(*this, td, mesh_.time().deltaTValue());
+}
+
+
+Foam::pointField Foam::clumpSuspension::places() const
+{
+    pointField result(size());
+    label index = 0;
+    for (const clumpParcel& p : *this)
+    {
+        result[index++] = p.position();
+    }
+    return result;
+}
+
+
+void Foam::clumpSuspension::stay(const UList<point>& places)
+{
+    const timeBreakdown::timer t(timing_, "clumps");
+    label index = 0;
+    for (clumpParcel& p : *this)
+    {
+        p.stay(places[index++]);
+    }
+    track();
+}
+
+
+bool Foam::clumpSuspension::transfer()
+{
+    const timeBreakdown::timer t(timing_, "clumps");
+    if (coupled())
+    {
+        couplingCoefficient::report(*this, nClumps());
+    }
+    breakage_.divide(*this, *source_, count_);
+    removeLeaving();
+    const scalar dt = mesh_.time().deltaTValue();
+    for (clumpParcel& p : *this)
+    {
+        p.slideBack(dt*meshVelocity_);
+        p.recentre(type(p));
+    }
+    track();
     return source_->inject(*this, count_, start_.followFlow()) > 0;
 }
 

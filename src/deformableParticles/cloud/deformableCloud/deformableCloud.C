@@ -174,11 +174,21 @@ void Foam::deformableCloud::meshChanged()
 {
     ghosts_.meshChanged();
     motion().meshChanged();
-    coupling_->boundary().meshChanged();
+    if (hasFluid())
+    {
+        coupling_->boundary().meshChanged();
+    }
     for (clumpKind& kind : kinds_)
     {
         kind.meshChanged();
     }
     source_->meshChanged();
     openPatches_.clear();
+}
+
+
+void Foam::deformableCloud::pointsMoved(const UList<point>& places)
+{
+    meshChanged();
+    stay(places);
 }

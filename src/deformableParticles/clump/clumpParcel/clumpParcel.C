@@ -5,6 +5,7 @@
 
 #include "clumpParcel.H"
 #include "Cloud.H"
+#include "standingMesh.H"
 
 namespace Foam
 {
@@ -33,7 +34,7 @@ Foam::clumpParcel::clumpParcel
     const clumpState& state
 )
 :
-    particle(mesh, inside(mesh, position, celli), celli),
+    particle(standingMesh(mesh)(), inside(mesh, position, celli), celli),
     typeId_(typeId),
     pieceOf_(-1),
     state_(state),
@@ -52,6 +53,15 @@ Foam::clumpParcel::clumpParcel
 }
 
 
+Foam::point Foam::clumpParcel::position() const
+{
+    return
+        mesh().moving()
+      ? currentTetIndices().tet(mesh()).barycentricToPoint(coordinates())
+      : particle::position();
+}
+
+
 void Foam::clumpParcel::autoMap
 (
     const point& position,
@@ -63,6 +73,7 @@ void Foam::clumpParcel::autoMap
     {
         celli = -celli - 2;     // merged
     }
+    const standingMesh standing(mesh());
     relocate(inside(mesh(), position, celli), celli);
     state_.x += position - this->position();
 }

@@ -219,16 +219,41 @@ Foam::ghostExchange::ghostExchange(const polyMesh& mesh, const bool mirrors)
 :
     mesh_(mesh),
     mirrors_(mirrors),
-    procBoxes_(Pstream::nProcs()),
+    procBoxes_(Pstream::nProcs(), boundBox(point::zero, point::zero)),
     reaches_(Pstream::nProcs(), Zero),
     partnerDistance_(-1),
     nSearches_(0),
     nOwn_(0)
 {
+    findBoxes();
+    findShifts();
+}
+
+
+bool Foam::ghostExchange::findBoxes()
+{
+    const List<boundBox> before(procBoxes_);
     procBoxes_[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
     gatherToAll(procBoxes_);
 
+    bool same = true;
+    forAll(before, proci)
+    {
+        same =
+            same
+         && before[proci].min() == procBoxes_[proci].min()
+         && before[proci].max() == procBoxes_[proci].max();
+    }
+    return !same;
+}
+
+
+void Foam::ghostExchange::meshChanged()
+{
+    // The neighbours are found anew with the next clumps
+    boxesMoved_ = findBoxes() || boxesMoved_;
     findShifts();
+    partnerDistance_ = -1;
 }
 
 
@@ -430,8 +455,9 @@ void Foam::ghostExchange::updateNeighbours()
         reach = max(reach, image.reach + range_);
     }
     const bool larger = reach > reaches_[Pstream::myProcNo()];
-    if (returnReduce(larger, orOp<bool>()))
+    if (returnReduce(larger, orOp<bool>()) || boxesMoved_)
     {
+        boxesMoved_ = false;
         findNeighbours(reach);
     }
 }

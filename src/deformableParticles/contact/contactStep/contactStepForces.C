@@ -111,7 +111,7 @@ void Foam::contactStep::beginMoving(const scalar dt)
             const vector v
             (
                 t.b < 0
-              ? u[t.a][t.i]
+              ? vector(u[t.a][t.i] - t.moved/dt)
               : vector(u[t.a][t.i] - ofImage(t, u[t.otherIndex][t.j]))
             );
             t.first = t.d + dt*(v & t.n);

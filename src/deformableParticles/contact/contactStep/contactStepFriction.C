@@ -84,7 +84,7 @@ Foam::vector Foam::contactStep::slip(const sphereContact& t) const
     }
     else
     {
-        dx -= dt_*walls_.velocity(t.patch, t.place);
+        dx -= dt_*walls_.velocity(t.patch, t.place) + t.moved;
     }
     return dx - (n & dx)*n + (n ^ turned);
 }

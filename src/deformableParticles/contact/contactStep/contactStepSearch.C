@@ -461,6 +461,7 @@ Foam::contactStep::sphereContact Foam::contactStep::makeWallContact
     sphereContact t = sphereContact();
     t.patch = plane.patch;
     t.place = x - (type(a).radii()[i] - d)*n;
+    t.moved = plane.moved;
     t.a = a;
     t.i = i;
     t.b = -1;
@@ -470,7 +471,7 @@ Foam::contactStep::sphereContact Foam::contactStep::makeWallContact
     t.wallNormal = n;
     t.d = d;
     t.radii = d;
-    t.first = d;
+    t.first = d - (plane.moved & n);    // the wall is where it ends the step
     t.R = type(a).radii()[i];
     t.m = massAt(a, i);
     t.ratio = 1;

@@ -111,7 +111,8 @@ void Foam::contactStep::setWallWeights
         t.law = &walls_.laws()(p.typeId(), c.wall.patch);
         t.radii = t.d + fromWall(t, moved_[a][c.i]);
         t.first =
-            t.radii - (inPart_ ? fromWall(t, before_[a][c.i]) : 0);
+            t.radii
+          - (inPart_ ? fromWall(t, before_[a][c.i]) : c.wall.moved & c.wall.normal);
         t.weight = c.weight;
         t.ratio = c.depth/c.wall.overlap;
         // The mass that the sphere had there before

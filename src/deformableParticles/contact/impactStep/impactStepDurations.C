@@ -240,7 +240,8 @@ bool Foam::impactStep::mayBounce() const
 void Foam::impactStep::endSearch()
 {
     contactStep::endSearch();
-    bounces_ = returnReduce(mayBounce(), orOp<bool>());
+    // A wall that moves is where it ends the step, in none of its parts
+    bounces_ = !wallsMove() && returnReduce(mayBounce(), orOp<bool>());
     if (!bounces_)
     {
         return;

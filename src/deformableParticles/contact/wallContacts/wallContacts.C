@@ -8,6 +8,28 @@
 #include "volFields.H"
 #include "wallPolyPatch.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Whether points of a patch have moved in the step, on any processor
+bool pointsMove(const polyPatch& patch)
+{
+    const polyMesh& mesh = patch.boundaryMesh().mesh();
+    bool move = false;
+    if (mesh.moving())
+    {
+        for (const label pointi : patch.meshPoints())
+        {
+            move = move || mesh.points()[pointi] != mesh.oldPoints()[pointi];
+        }
+    }
+    return returnReduce(move, orOp<bool>());
+}
+
+}
+
 Foam::wallContacts::wallContacts
 (
     const polyMesh& mesh,
@@ -72,6 +94,12 @@ void Foam::wallContacts::updateMotions
         }
         if (!rubs)
         {
+            continue;
+        }
+        if (pointsMove(mesh_.boundaryMesh()[patchi]))
+        {
+            // Each contact has the displacement of its wall
+            motions_[patchi] = wallMotion();
             continue;
         }
         motions_[patchi] = wallMotion(U->boundaryField()[patchi]);

@@ -32,7 +32,14 @@ Foam::wallSurface::wallSurface
             patches.append(labelList(pp.size(), pp.index()));
         }
     }
-    collect(walls, mesh.points(), patches, ghosts);
+    collect
+    (
+        walls,
+        mesh.points(),
+        mesh.moving() ? mesh.oldPoints() : pointField(),
+        patches,
+        ghosts
+    );
 }
 
 
@@ -46,7 +53,7 @@ Foam::wallSurface::wallSurface
     centred_(true),
     known_(0)
 {
-    collect(faces, points, labelList(faces.size(), Zero), ghosts);
+    collect(faces, points, pointField(), labelList(faces.size(), Zero), ghosts);
 }
 
 
@@ -54,20 +61,32 @@ void Foam::wallSurface::collect
 (
     const UList<face>& faces,
     const UList<point>& points,
+    const UList<point>& oldPoints,
     const UList<label>& patches,
     const ghostExchange& ghosts
 )
 {
     known_ = 3*ghosts.reach(Pstream::myProcNo());
 
-    // Triangles as three points each
+    // Triangles as three points each, and how these have moved
     DynamicList<point> corners;
+    DynamicList<vector> moves;
     DynamicList<label> patchOf;
+    const bool move = returnReduce(oldPoints.size(), sumOp<label>()) > 0;
 
     forAll(faces, facei)
     {
-        corners.append(faceTriangles(faces[facei], points));
+        const List<point> now(faceTriangles(faces[facei], points));
+        corners.append(now);
         patchOf.append(labelList(faces[facei].size(), patches[facei]));
+        if (move)
+        {
+            const List<point> before(faceTriangles(faces[facei], oldPoints));
+            forAll(now, k)
+            {
+                moves.append(now[k] - before[k]);
+            }
+        }
     }
     const boundBox all(corners, false);
 
@@ -91,7 +110,12 @@ void Foam::wallSurface::collect
 
     // What a clump on another processor, or behind a periodic boundary or a plane of
     // symmetry, may feel
-    const auto around = [&](const label proci, DynamicList<label>& patchIds)
+    const auto around = [&]
+    (
+        const label proci,
+        DynamicList<label>& patchIds,
+        DynamicList<vector>& movesOf
+    )
     {
         DynamicList<point> found;
         const boundBox box(grown(ghosts.box(proci), 4*ghosts.reach(proci)));
@@ -120,6 +144,12 @@ void Foam::wallSurface::collect
                     found.append(b);
                     found.append(c);
                     patchIds.append(patchOf[t/3]);
+                    if (move)
+                    {
+                        movesOf.append(image.polar(moves[t]));
+                        movesOf.append(image.polar(moves[t + second]));
+                        movesOf.append(image.polar(moves[t + 3 - second]));
+                    }
                 }
             }
         }
@@ -130,25 +160,29 @@ void Foam::wallSurface::collect
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
     DynamicList<point> imageCorners;
     DynamicList<label> patchOfImages;
+    DynamicList<vector> imageMoves;
     for (label proci = 0; proci < Pstream::nProcs(); ++proci)
     {
         DynamicList<label> patchIds;
-        const DynamicList<point> found(around(proci, patchIds));
+        DynamicList<vector> movesOf;
+        const DynamicList<point> found(around(proci, patchIds, movesOf));
         if (proci == Pstream::myProcNo())
         {
             imageCorners = found;
             patchOfImages = patchIds;
+            imageMoves = movesOf;
         }
         else if (found.size())
         {
             UOPstream os(proci, buffers);
-            os << List<point>(found) << labelList(patchIds);
+            os << List<point>(found) << labelList(patchIds) << List<vector>(movesOf);
         }
     }
     labelList sizes;
     buffers.finishedSends(sizes);
     corners.append(imageCorners);
     patchOf.append(patchOfImages);
+    moves.append(imageMoves);
     forAll(sizes, proci)
     {
         if (proci != Pstream::myProcNo() && sizes[proci])
@@ -156,10 +190,11 @@ void Foam::wallSurface::collect
             UIPstream is(proci, buffers);
             corners.append(List<point>(is));
             patchOf.append(labelList(is));
+            moves.append(List<vector>(is));
         }
     }
 
-    makeSearch(corners, patchOf);
+    makeSearch(corners, patchOf, moves);
 }
 
 
@@ -175,7 +210,8 @@ Foam::wallSurface::wallSurface(const UList<point>& corners)
 void Foam::wallSurface::makeSearch
 (
     const UList<point>& corners,
-    const UList<label>& patches
+    const UList<label>& patches,
+    const UList<vector>& moves
 )
 {
     if (corners.empty())
@@ -197,6 +233,11 @@ void Foam::wallSurface::makeSearch
     forAll(all, k)
     {
         points[pointMap[k]] = all[k];
+    }
+    moves_.setSize(moves.size() ? nPoints : 0);
+    forAll(moves, k)
+    {
+        moves_[pointMap[k]] = moves[k];
     }
 
     List<labelledTri> triangles(corners.size()/3);
@@ -236,6 +277,20 @@ Foam::triPointRef Foam::wallSurface::triangle(const label t) const
     const labelledTri& corner = (*surface_)[t];
     const pointField& points = surface_->points();
     return triPointRef(points[corner[0]], points[corner[1]], points[corner[2]]);
+}
+
+
+Foam::vector Foam::wallSurface::moved(const label t, const point& at) const
+{
+    if (moves_.empty())
+    {
+        return vector::zero;
+    }
+    const labelledTri& corner = (*surface_)[t];
+    const barycentric2D part(triangle(t).pointToBarycentric(at));
+    return
+        part.a()*moves_[corner[0]] + part.b()*moves_[corner[1]]
+      + part.c()*moves_[corner[2]];
 }
 
 
@@ -326,6 +381,7 @@ bool Foam::wallSurface::nearest
         return false;
     }
     place.patch = patch(hit.index());
+    place.moved = moved(hit.index(), hit.rawPoint());
     const vector d(x - hit.rawPoint());
     const scalar distance = mag(d);
 

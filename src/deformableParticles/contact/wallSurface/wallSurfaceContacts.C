@@ -78,16 +78,20 @@ scalar angleWeight
 }
 
 
-//- Add a piece of a plane to the piece of the same plane and patch, if there is one
+//- Add a piece of a plane to the piece of the same plane and patch, if there is one. The
+//  plane moves as the piece that is nearest to the sphere, at this distance [m]
 void addPiece
 (
     const wallSurface::contact& piece,
+    const scalar distance,
     const scalar tolerance,
-    DynamicList<wallSurface::contact>& planes
+    DynamicList<wallSurface::contact>& planes,
+    DynamicList<scalar>& distances
 )
 {
-    for (wallSurface::contact& other : planes)
+    forAll(planes, k)
     {
+        wallSurface::contact& other = planes[k];
         if
         (
             other.patch == piece.patch
@@ -96,10 +100,16 @@ void addPiece
         )
         {
             other.weight += piece.weight;
+            if (distance < distances[k])
+            {
+                other.moved = piece.moved;
+                distances[k] = distance;
+            }
             return;
         }
     }
     planes.append(piece);
+    distances.append(distance);
 }
 
 }
@@ -213,6 +223,7 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
     }
 
     DynamicList<contact> planes;
+    DynamicList<scalar> distances;
     for (const facet& f : facets)
     {
         if (!counts_[f.triangle])
@@ -237,10 +248,14 @@ Foam::DynamicList<Foam::wallSurface::contact> Foam::wallSurface::contacts
                 );
             }
         }
+        const pointHit hit(piece.nearestPoint(x));
         addPiece
         (
-            {-f.out, radius - f.height, weight, patch(f.triangle)},
-            1e-6*radius, planes
+            {
+                -f.out, radius - f.height, weight, patch(f.triangle),
+                moved(f.triangle, hit.rawPoint())
+            },
+            hit.distance(), 1e-6*radius, planes, distances
         );
     }
     for (const facet& f : facets)

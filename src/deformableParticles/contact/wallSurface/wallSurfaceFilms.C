@@ -298,7 +298,8 @@ Foam::DynamicList<Foam::wallSurface::film> Foam::wallSurface::films
             (
                 {
                     {
-                        away, limit - first->distance, weight, patch(first->triangle)
+                        away, limit - first->distance, weight, patch(first->triangle),
+                        moved(first->triangle, first->nearest)
                     },
                     curvature(first->triangle, first->nearest, 0.5*radius)
                 }

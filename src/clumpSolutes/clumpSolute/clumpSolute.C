@@ -497,6 +497,31 @@ void Foam::functionObjects::clumpSolute::setBound()
 }
 
 
+Foam::tmp<Foam::surfaceScalarField>
+Foam::functionObjects::clumpSolute::insideDiffusivity
+(
+    const surfaceScalarField& both,
+    const bool ofBound
+) const
+{
+    volScalarField D
+    (
+        IOobject("D", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimArea/dimTime, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(D, celli)
+    {
+        const soluteType& t = type(celli);
+        D[celli] = ofBound ? t.boundDiffusivity() : t.diffusivity();
+    }
+    D.correctBoundaryConditions();
+    return
+        both*sameClump()*surfaces_->faceFraction()*nearness(-1)*linearInterpolate(D);
+}
+
+
 Foam::tmp<Foam::fvScalarMatrix>
 Foam::functionObjects::clumpSolute::insideEquation()
 {
@@ -506,13 +531,6 @@ Foam::functionObjects::clumpSolute::insideEquation()
 
     volScalarField volume("volume", inside_->volume());
     volScalarField before("before", (*innerContent_));
-    volScalarField D
-    (
-        IOobject("D", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimArea/dimTime, Zero),
-        zeroGradientFvPatchScalarField::typeName
-    );
     forAll(c, celli)
     {
         const bool keeps = fixed(celli) && inside_->active(celli);
@@ -525,15 +543,10 @@ Foam::functionObjects::clumpSolute::insideEquation()
             volume[celli] = 1;
             before[celli] = c[celli];
         }
-        D[celli] = type(celli).diffusivity();
     }
-    D.correctBoundaryConditions();
     c.correctBoundaryConditions();
     const surfaceScalarField both(insideFaces());
-    const surfaceScalarField gamma
-    (
-        both*sameClump()*surfaces_->faceFraction()*nearness(-1)*linearInterpolate(D)
-    );
+    const surfaceScalarField gamma(insideDiffusivity(both, false));
     tmp<fvScalarMatrix> result
     (
         new fvScalarMatrix
@@ -561,14 +574,24 @@ Foam::functionObjects::clumpSolute::boundEquation()
             volume[celli] = 0;
         }
     }
+    const word& name = outer_->name();
+    const surfaceScalarField both(insideFaces());
     tmp<fvScalarMatrix> result
     (
         fvm::Sp(volume/dt, *bound_)
-      + fvm::div
-        (
-            insideFaces()*inside_->flux(), *bound_, "div(phi," + outer_->name() + ")"
-        )
+      + fvm::div(both*inside_->flux(), *bound_, "div(phi," + name + ")")
     );
+    for (const soluteType& t : types_)
+    {
+        if (t.boundDiffusivity() > 0)
+        {
+            result.ref() -= fvm::laplacian
+            (
+                insideDiffusivity(both, true), *bound_, "laplacian(D," + name + ")"
+            );
+            break;
+        }
+    }
     equateCoupledFluxes(result.ref());
     return result;
 }
@@ -651,7 +674,8 @@ Foam::scalarField Foam::functionObjects::clumpSolute::exchange() const
                 (
                     surfaces_->distance()[celli],
                     diffusivity_,
-                    1e-3*Foam::cbrt(mesh_.V()[celli])
+                    1e-3*Foam::cbrt(mesh_.V()[celli]),
+                    (*inner_)[celli]
                 )
               : 0;
         }

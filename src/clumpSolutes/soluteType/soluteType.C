@@ -19,7 +19,8 @@ Foam::soluteType::soluteType(const dictionary& dict, const scalar diffusivity)
         dict,
         {
             "permeability", "diffusivity", "partition", "initial", "concentration",
-            "source", "rate", "maxUptake", "halfConcentration", "bound"
+            "source", "rate", "maxUptake", "halfConcentration", "bound",
+            "boundDiffusivity"
         }
     );
     if (dict.found("initial"))
@@ -43,6 +44,13 @@ Foam::soluteType::soluteType(const dictionary& dict, const scalar diffusivity)
     if (dict.found("bound"))
     {
         bound_.reset(selectModel<boundModel>(getDict(dict, "bound")).ptr());
+        boundDiffusivity_ = getNonNegativeOrDefault(dict, "boundDiffusivity", 0);
+    }
+    else if (dict.found("boundDiffusivity"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'boundDiffusivity' is that of what the entry 'bound' binds, which is"
+            << " absent." << exit(FatalIOError);
     }
     permeability_ = getNonNegativeOrDefault
     (
@@ -59,7 +67,8 @@ Foam::scalar Foam::soluteType::conductance
 (
     const scalar d,
     const scalar diffusivity,
-    const scalar least
+    const scalar least,
+    const scalar c
 ) const
 {
     if (impermeable())
@@ -67,7 +76,11 @@ Foam::scalar Foam::soluteType::conductance
         return 0;
     }
     const scalar outside = max(d, least)/diffusivity;
-    const scalar inside =
-        fixed() ? 0 : max(-d, scalar(0))/(partition_*diffusivity_);
+    scalar D = diffusivity_;
+    if (boundDiffusivity_ > 0)
+    {
+        D += boundDiffusivity_*bound_->capacity(max(c, scalar(0)));
+    }
+    const scalar inside = fixed() ? 0 : max(-d, scalar(0))/(partition_*D);
     return 1/(1/permeability_ + outside + inside);
 }

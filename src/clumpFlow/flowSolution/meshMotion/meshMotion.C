@@ -189,7 +189,7 @@ void Foam::meshMotion::checkFluxes() const
     }
     reduce(in, sumOp<scalar>());
     reduce(sum, sumOp<scalar>());
-    if (!returnReduce(open, orOp<bool>()) && mag(sum) > 1e-8*in)
+    if (!returnReduce(open, orOp<bool>()) && mag(sum) > 1e-6*in)
     {
         FatalErrorInFunction
             << "At time " << mesh_.time().timeName() << " the walls change the volume of"

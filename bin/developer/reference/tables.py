@@ -155,7 +155,7 @@ def classRows(header):
         parts = groups(block)
         flat = len({g[0].name for g in parts}) > 1
         for group in parts:
-            if flat:
+            if flat or not group[0].isDict:
                 result.append(("", (group[0].name,), group[0]))
                 continue
             if outer not in (None, group[0].name):

@@ -24,8 +24,10 @@ contour, state, motion = run["clumpContour"], run["membraneState"], run["clumpFo
 
 # %%
 last, before = contour[-1], contour[3*len(contour)//4]
+rising = abs(last["deformation"] - before["deformation"]) > 0.01*last["deformation"]
 print(f"area {last['area']*1e12:.1f} um2, deformation {last['deformation']:.4f}, a quarter of the "
-      f"run before {before['deformation']:.4f}")
+      f"run before {before['deformation']:.4f}"
+      f"{': not steady, take a later endTime' if rising else ''}")
 print(f"inertia ratio {last['inertiaRatio']:.3f}")
 
 # %% [markdown]

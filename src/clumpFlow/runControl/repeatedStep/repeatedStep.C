@@ -94,8 +94,9 @@ bool Foam::repeatedStep::divide(const string& reason)
     all[Pstream::myProcNo()] = reason;
     gatherToAll(all);
 
-    Info<< "The step to time " << runTime_.timeName() << " is repeated with the"
-        << " time step " << 0.5*dt << " s:" << nl;
+    // A quiet run shows the first
+    Info<< (nTotal_ ? "" : "--> ") << "The step to time " << runTime_.timeName()
+        << " is repeated with the time step " << 0.5*dt << " s:" << nl;
     for (const string& said : all)
     {
         Info<< said.c_str();
@@ -140,7 +141,7 @@ void Foam::repeatedStep::end() const
     if (nTotal_)
     {
         WarningInFunction
-            << nTotal_ << " steps were repeated with half the time step, for the"
-            << " reasons that were printed then." << endl;
+            << nTotal_ << " steps were repeated with half the time step, for reasons"
+            << " that the log has; that of a quiet run has those of the first." << endl;
     }
 }

@@ -26,6 +26,19 @@ namespace
         return m.shearStiffness()/m.surface().volume(m.stressFree());
     }
 
+    //- Part of the surface whose smaller tension is below a part of the stiffness in
+    //  shear per area
+    Foam::scalar partBelow
+    (
+        const Foam::membraneMechanics& m,
+        const Foam::pointField& x,
+        const Foam::scalar part
+    )
+    {
+        const Foam::membraneTensions state(m, x);
+        return state.partBelow(part*m.shearStiffness()/sum(state.areas()));
+    }
+
     struct addEntries
     {
         addEntries() { Foam::clumpKind::entries().append("membraneContact"); }
@@ -277,9 +290,18 @@ void Foam::membranes::warnOfBuckling(const Cloud<clumpParcel>& clumps)
         const label typei = p.typeId();
         if (unbent_.found(typei))
         {
-            const scalar part =
-                buckledPart(types_[typei].surface(), p.state().x);
-            parts[typei] = max(parts[typei], part);
+            const pointField& x = p.state().x;
+            const scalar part = buckledPart(types_[typei].surface(), x);
+
+            // Waves have no tension where they are; a drop has it everywhere
+            if
+            (
+                part > max(buckles, parts[typei])
+             && partBelow(steps_[typei].mechanics(), x, compresses) > buckles
+            )
+            {
+                parts[typei] = part;
+            }
         }
     }
     reduceList(parts, maxEqOp<scalar>());
@@ -320,8 +342,7 @@ void Foam::membranes::warnOfCompression(const label typei) const
     const clumpType& type = types_[typei];
     const membraneMechanics& mechanics = steps_[typei].mechanics();
     const membraneTensions state(mechanics, type.centres());
-    const scalar modulus = mechanics.shearStiffness()/sum(state.areas());
-    const scalar part = state.partBelow(-compresses*modulus);
+    const scalar part = partBelow(mechanics, type.centres(), -compresses);
     if (part <= buckles)
     {
         return;

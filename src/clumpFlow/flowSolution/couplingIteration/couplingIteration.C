@@ -311,7 +311,8 @@ Foam::string Foam::couplingIteration::disagreement(scalar& before)
     }
     OStringStream os;
     os  << "    flow and clumps do not agree: after " << nCorrectors_
-        << " outer correctors the residual is " << last_ << nl;
+        << " outer correctors the residual is " << last_ << ", that of "
+        << residual_.where().c_str() << nl;
     return os.str();
 }
 
@@ -337,12 +338,14 @@ void Foam::couplingIteration::warnOfMiss() const
 {
     if (nMissed_ == 1)
     {
+        const string where(residual_.where());
         WarningInFunction
             << "Flow and clumps do not agree to couplingTolerance " << tolerance_
             << " in the step to time " << flow_.p().time().timeName() << ": after "
             << nCorrectors_ << " outer correctors the residual is " << last_
-            << ". Reduce the time step, or allow more nOuterCorrectors in"
-            << " system/fvSolution. Further steps of this kind are counted." << endl;
+            << ", that of " << where.c_str() << ". Reduce the time step, or allow more"
+            << " nOuterCorrectors in system/fvSolution. Further steps of this kind are"
+            << " counted." << endl;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "couplingResidual.H"
 #include "foamCompat.H"
 #include "mathematicalConstants.H"
+#include "StringStream.H"
 
 namespace
 {
@@ -136,9 +137,11 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
     // Of the clumps: of the change, before and after
     List<scalar> powers(3, scalar(0));
     scalar worst = 0;
+    worst_ = nullptr;
     label index = 0;
     for (const clumpParcel& p : cloud_)
     {
+        const scalar before = worst;
         const vector& start = start_[index++];
         const scalarField& r = cloud_.type(p).dragRadii();
         const clumpStep& step = p.step();
@@ -164,9 +167,15 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
         {
             worst = sqr(GREAT);
         }
+        if (worst > before)
+        {
+            worst_ = &p;
+        }
     }
+    ofWorst_ = worst;
     reduceList(powers, plusEqOp<scalar>());
     reduce(worst, maxOp<scalar>());
+    ofClumps_ = worst;
     solved_ = worst < sqr(GREAT);
 
     const scalar change = powers[0] + flow.change;
@@ -176,5 +185,28 @@ Foam::scalar Foam::couplingResidual::value(const scalarField& p0)
 
     const heldMeanVelocity::power gradients(held_.gradientPower());
     const scalar pressure = gradients.size + max(flow.before, flow.after);
-    return Foam::sqrt(max(worst, gradients.change/max(pressure, floor)));
+    ofAll_ = max(worst, gradients.change/max(pressure, floor));
+    return Foam::sqrt(ofAll_);
+}
+
+
+Foam::string Foam::couplingResidual::where() const
+{
+    List<string> all(Pstream::nProcs());
+    if (worst_ && ofWorst_ >= ofClumps_)
+    {
+        OStringStream os;
+        os  << "clump " << worst_->origId() << " (" << cloud_.type(*worst_).name()
+            << ") at " << worst_->position();
+        all[Pstream::myProcNo()] = os.str();
+    }
+    gatherToAll(all);
+    for (const string& said : all)
+    {
+        if (!said.empty() && ofAll_ <= ofClumps_)
+        {
+            return said;
+        }
+    }
+    return "the flow as a whole";
 }

@@ -41,6 +41,15 @@ void Foam::costEstimate::printOthers
 {
     const scalar step = mesh + clumps;
 
+    // Other kinds of clumps need the flow, and their nodes are no choice of accuracy alone
+    bool onlySpheres = true;
+    bool severalSpheres = false;
+    for (const clumpType& type : cloud_.types())
+    {
+        onlySpheres = onlySpheres && type.ofSpheres();
+        severalSpheres = severalSpheres || (type.ofSpheres() && type.size() > 1);
+    }
+
     Info<< "    With other settings the run would take" << nl;
     printLine("half the time step                ", 2*n*step,
         ", half the error of rotation and drift");
@@ -56,11 +65,17 @@ void Foam::costEstimate::printOthers
         printLine("one outer corrector more          ",
             n*(mesh*(1 + 1.0/nOuterCorrectors_) + clumps),
             ", a smaller error of coupling and pressure in a step");
-        printLine("fluid frozen                      ", n*clumps,
-            ", with the flow of the start time");
+        if (onlySpheres)
+        {
+            printLine("fluid frozen                      ", n*clumps,
+                ", with the flow of the start time");
+        }
     }
-    printLine("twice the spheres per clump       ", n*(mesh + 2*clumps),
-        ", a quarter of the error of stretching");
+    if (severalSpheres)
+    {
+        printLine("twice the spheres per clump       ", n*(mesh + 2*clumps),
+            ", a quarter of the error of stretching");
+    }
     Info<< "    Rotation and drift across the stream are those of a clump in shear, the"
         << " drag that of a" << nl << "    clump at rest, stretching that by two opposite"
         << " forces; doc/accuracy.md has the errors" << nl;

@@ -14,7 +14,7 @@ void Foam::runMonitor::addOptions()
     argList::addBoolOption
     (
         "estimate",
-        "Run a few steps, print what the case will cost, write nothing"
+        "Run a few steps quietly, print what the case will cost, write nothing"
     );
     argList::addBoolOption
     (
@@ -43,7 +43,7 @@ Foam::runMonitor::runMonitor
         refCast<const fvMesh>(cloud.pMesh()).solutionDict(),
         runTime.controlDict()
     ),
-    report_(runTime, cloud, args.found("quiet")),
+    report_(runTime, cloud, args.found("quiet") || args.found("estimate")),
     watchdog_(runTime, cloud),
     repeated_(runTime, flow, watchdog_.state()),
     estimate_

@@ -716,6 +716,29 @@ void Foam::membraneContacts::addToSpheres
 }
 
 
+void Foam::membraneContacts::addBlocks
+(
+    const surfacePoint& at,
+    const Eigen::Matrix3d& K,
+    membraneTangent& tangent
+)
+{
+    for (label n = 0; n < 3 && at.nodes[n] >= 0; ++n)
+    {
+        for (label m = 0; m < 3 && at.nodes[m] >= 0; ++m)
+        {
+            if (at.nodes[n] >= at.nodes[m])
+            {
+                tangent.add
+                (
+                    at.nodes[n], at.nodes[m], at.weights[n]*at.weights[m]*K
+                );
+            }
+        }
+    }
+}
+
+
 void Foam::membraneContacts::addForces
 (
     const UList<nodeContact>& contacts,
@@ -724,11 +747,7 @@ void Foam::membraneContacts::addForces
 {
     for (const nodeContact& c : contacts)
     {
-        const vector f(c.area*law(c, c.gap).value*c.normal);
-        for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
-        {
-            F[c.nodes[n]] += c.weights[n]*f;
-        }
+        c.spread(c.area*law(c, c.gap).value*c.normal, F);
     }
 }
 
@@ -757,15 +776,11 @@ Foam::scalar Foam::membraneContacts::add
         const Eigen::Matrix3d K(c.moves*c.area*k*normal*normal.transpose());
         for (label n = 0; n < 3 && c.nodes[n] >= 0; ++n)
         {
-            const label i = c.nodes[n];
-            gradient[i] -= c.weights[n]*c.area*w.value*c.normal;
-            for (label m = 0; tangent && m < 3 && c.nodes[m] >= 0; ++m)
-            {
-                if (i >= c.nodes[m])
-                {
-                    tangent->add(i, c.nodes[m], c.weights[n]*c.weights[m]*K);
-                }
-            }
+            gradient[c.nodes[n]] -= c.weights[n]*c.area*w.value*c.normal;
+        }
+        if (tangent)
+        {
+            addBlocks(c, K, *tangent);
         }
     }
     return potential;

@@ -92,11 +92,7 @@ void Foam::membraneContacts::findBonds
         {
             return false;
         }
-        x = Zero;
-        for (label n = 0; n < 3 && end.nodes[n] >= 0; ++n)
-        {
-            x += end.weights[n]*bodies_[image].x[end.nodes[n]];
-        }
+        x = end.of(bodies_[image].x);
         return true;
     };
 
@@ -170,11 +166,7 @@ void Foam::membraneContacts::addForces
 {
     for (const nodeBond& b : bonds)
     {
-        const vector f(bondLaw(*b.kinetics, b.d).force);
-        for (label n = 0; n < 3 && b.nodes[n] >= 0; ++n)
-        {
-            F[b.nodes[n]] += b.weights[n]*f;
-        }
+        b.spread(bondLaw(*b.kinetics, b.d).force, F);
     }
 }
 
@@ -190,25 +182,12 @@ Foam::scalar Foam::membraneContacts::add
     scalar potential = 0;
     for (const nodeBond& b : bonds)
     {
-        vector moved(Zero);
-        for (label n = 0; n < 3 && b.nodes[n] >= 0; ++n)
-        {
-            moved += b.weights[n]*d[b.nodes[n]];
-        }
-        const bondForce w(bondLaw(*b.kinetics, b.d - b.moves*moved));
+        const bondForce w(bondLaw(*b.kinetics, b.d - b.moves*b.of(d)));
         potential += w.energy/b.moves;
-        const Eigen::Matrix3d K(b.moves*toEigen(w.stiffness));
-        for (label n = 0; n < 3 && b.nodes[n] >= 0; ++n)
+        b.spread(-w.force, gradient);
+        if (tangent)
         {
-            const label i = b.nodes[n];
-            gradient[i] -= b.weights[n]*w.force;
-            for (label m = 0; tangent && m < 3 && b.nodes[m] >= 0; ++m)
-            {
-                if (i >= b.nodes[m])
-                {
-                    tangent->add(i, b.nodes[m], b.weights[n]*b.weights[m]*K);
-                }
-            }
+            addBlocks(b, b.moves*toEigen(w.stiffness), *tangent);
         }
     }
     return potential;

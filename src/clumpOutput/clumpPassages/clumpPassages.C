@@ -22,7 +22,7 @@ namespace
 
 using namespace Foam;
 
-functionObjects::tableHeader header()
+functionObjects::tableHeader passageColumns()
 {
     return
         functionObjects::tableHeader("Clumps that have entered and left")
@@ -70,7 +70,7 @@ bool Foam::functionObjects::clumpPassages::execute()
     }
 
     // There is a table, if only with the names of its columns, before the first clump passes
-    Ostream& os = table_.open(header());
+    Ostream& os = table_.open(passageColumns());
     for (const clumpPassage& p : count.passages())
     {
         os  << time_.timeOutputValue() << '\t'

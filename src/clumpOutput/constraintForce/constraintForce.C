@@ -24,7 +24,7 @@ namespace
 
 using namespace Foam;
 
-functionObjects::tableHeader header()
+functionObjects::tableHeader constraintColumns()
 {
     return
         functionObjects::tableHeader("Force of the loads that hold or move clumps")
@@ -104,7 +104,7 @@ bool Foam::functionObjects::constraintForce::write()
         allValues.append(values[proci]);
     }
     const label nValues = 5;
-    Ostream& os = table_.open(header());
+    Ostream& os = table_.open(constraintColumns());
     const SortableList<label> order(allIds);
     forAll(order, k)
     {

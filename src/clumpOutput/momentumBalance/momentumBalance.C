@@ -31,7 +31,7 @@ namespace
 
 using namespace Foam;
 
-functionObjects::tableHeader header()
+functionObjects::tableHeader balanceColumns()
 {
     functionObjects::tableHeader result
     (
@@ -359,7 +359,7 @@ bool Foam::functionObjects::momentumBalance::write()
     const vector ofFluid(fluidRate_ - forcing_ - patches_ - sources_);
     const vector ofPair(along_ & (clumps_.fluid + forcing_));
 
-    Ostream& os = table_.open(header());
+    Ostream& os = table_.open(balanceColumns());
     const auto add = [&](const vector& v)
     {
         os  << '\t' << v.x() << '\t' << v.y() << '\t' << v.z();

@@ -19,7 +19,7 @@ using namespace Foam;
 constexpr scalar mostProcessors = 1 << 24;
 
 //- Fractions nearer than this to zero or one are zero or one
-constexpr scalar least = 1e-4;
+constexpr scalar leastCut = 1e-4;
 
 template<class Type>
 GeometricField<Type, fvPatchField, volMesh> emptyField
@@ -300,7 +300,7 @@ void Foam::bodySurfaces::setCells()
         {
             part = planeInBox::behind(distance_[celli], widthsAlong(celli, n));
         }
-        const bool cut = part.fraction > least && part.fraction < 1 - least;
+        const bool cut = part.fraction > leastCut && part.fraction < 1 - leastCut;
         fraction_[celli] = cut ? part.fraction : part.fraction < 0.5 ? 0 : 1;
         area_[celli] = cut ? part.area : 0;
     }

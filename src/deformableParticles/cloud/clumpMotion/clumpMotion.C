@@ -176,13 +176,17 @@ void Foam::clumpMotion::solve(const bool endsStep)
     for (clumpParcel& p : clumps_)
     {
         p.step().overshootsBefore = p.overshoots();
+        if (clumps_.coupled())
+        {
+            coupling_->anticipate(p, dt);
+        }
     }
     {
         const timeBreakdown::timer t(clumps_.timing(), "loads");
         loads_.sample(clumps_.ghosts());
     }
 
-    // Those whose coupling coefficient is raised overshoot; a few times suffice
+    // Those that overshoot need a higher coupling coefficient; a few times suffice
     constexpr label most = 3;
     for (label n = 0; n < most; ++n)
     {

@@ -72,6 +72,27 @@ void Foam::couplingCoefficient::set
 }
 
 
+void Foam::couplingCoefficient::anticipate
+(
+    clumpParcel& p,
+    const scalar mu,
+    const scalar dt
+) const
+{
+    if (scheme_->damps())
+    {
+        clumpStep& step = p.step();
+        scalar q;
+        const scalar needed = neededRaise(p, mu, dt, q);
+
+        // What other clumps did in one corrector they seldom do in two
+        const scalar raise = min(needed, step.neededBefore);
+        step.neededBefore = needed/raise;
+        raiseFactor(p, raise);
+    }
+}
+
+
 bool Foam::couplingCoefficient::adapt
 (
     clumpParcel& p,
@@ -81,50 +102,42 @@ bool Foam::couplingCoefficient::adapt
 ) const
 {
     clumpStep& step = p.step();
-    const vectorField& u = step.end.u;
-    const vectorField now(u - step.imposedU);
+    const vectorField now(step.end.u - step.imposedU);
     const vectorField& last = step.change;
+    const scalar uu = sum(magSqr(step.end.u));
     const bool reverses = sum(now & last) < 0;
-    const bool counts = sum(magSqr(now)) > 1e-6*sum(magSqr(u));
-
     const bool overshoots =
-        reverses && counts && sum(magSqr(now)) > sum(magSqr(last));
+        reverses
+     && sum(magSqr(now)) > 1e-6*uu
+     && sum(magSqr(now)) > sum(magSqr(last));
 
     // A single one may be the change of an acceleration's sign, if small
     p.overshoots() = overshoots ? step.overshootsBefore + 1 : 0;
     const bool unstable =
-        p.overshoots() > 1
-     || (overshoots && sum(magSqr(now)) > 0.01*sum(magSqr(u)));
+        p.overshoots() > 1 || (overshoots && sum(magSqr(now)) > 0.01*uu);
 
     scalar& factor = p.couplingFactor();
     step.needsShorterStep =
         unstable && !(scheme_->damps() && factor < maxFactor);
-    if (!scheme_->damps() || (repeated && !unstable))
+    if (!scheme_->damps())
     {
         return false;
     }
-    bool sure = p.overshoots() > 1;
-    const scalar needed = neededRaise(p, mu, dt, sure);
-    if (!repeated)
-    {
-        // What other clumps did in one corrector they seldom do in two
-        const scalar raise = counts ? min(needed, step.neededBefore) : 1;
-        step.neededBefore = needed/raise;
-        if (raise > 1)
-        {
-            return raiseFactor(p, raise);
-        }
-    }
     if (unstable)
     {
-        const bool persists = p.overshoots() > 4;
-        const scalar raise = max(needed, scalar(persists ? 2 : 1));
-        if (raise > 1 && (sure || !repeated))
+        scalar q;
+        const scalar needed = neededRaise(p, mu, dt, q);
+        if (p.overshoots() > 1 || explains(p, q))
         {
-            return raiseFactor(p, sure ? raise : min(raise, 2.0)) && sure;
+            const bool persists = p.overshoots() > 4;
+            return raiseFactor(p, max(needed, scalar(persists ? 2 : 1)));
+        }
+        if (!repeated)
+        {
+            raiseFactor(p, min(needed, 2.0));
         }
     }
-    if (!reverses && !repeated)
+    else if (!reverses && !repeated)
     {
         factor = max(0.98*factor, 1.0);
     }
@@ -135,7 +148,7 @@ bool Foam::couplingCoefficient::adapt
 bool Foam::couplingCoefficient::raiseFactor(clumpParcel& p, const scalar raise)
 {
     scalar& factor = p.couplingFactor();
-    if (factor >= maxFactor)
+    if (raise <= 1 || factor >= maxFactor)
     {
         return false;
     }
@@ -150,14 +163,15 @@ Foam::scalar Foam::couplingCoefficient::neededRaise
     const clumpParcel& p,
     const scalar mu,
     const scalar dt,
-    bool& sure
+    scalar& q
 ) const
 {
+    q = 1;
     const clumpType& type = types_[p.typeId()];
     const clumpStep& step = p.step();
     const vectorField& d = step.imposedChange;
     const scalarField dd(magSqr(d));
-    if (sum(dd) < 1e-6*sum(magSqr(step.end.u)))
+    if (sum(dd) < 1e-6*sum(magSqr(step.imposedU)))
     {
         return 1;
     }
@@ -177,34 +191,42 @@ Foam::scalar Foam::couplingCoefficient::neededRaise
     }
     const scalar fluid = sum(Gd & d);
 
-    const scalar q = (own + fluid)/max(inertia + viscousResistance, VSMALL);
+    q = (own + fluid)/max(inertia + viscousResistance, VSMALL);
 
     // The motion that a locked interior resists most is seldom d itself
-    const bool locked = !boundary_.dilates();
     const scalar stiffest =
-        locked && fluid > 0
+        !boundary_.dilates() && fluid > 0
       ? sum(magSqr(Gd)/(z + rho_*type.volumes()/dt))/fluid
       : q;
-    if (max(q, stiffest) <= 1.5)
-    {
-        return 1;
-    }
+    const scalar most = max(q, stiffest);
+
+    return
+        most > 1.5
+      ? min(most + (most - 1)*inertia/viscousResistance, maxRaise)
+      : 1;
+}
+
+
+bool Foam::couplingCoefficient::explains
+(
+    const clumpParcel& p,
+    const scalar q
+) const
+{
+    const clumpStep& step = p.step();
+    const vectorField& d = step.imposedChange;
+    const scalar dd = sum(magSqr(d));
     const vectorField now(step.end.u - step.imposedU);
-    const scalar growth = -sum(now & d)/max(sum(dd), VSMALL);
-    const bool explains = growth > 0.5*(q - 1) && growth < 2*(q - 1);
+    const scalar growth = -sum(now & d)/max(dd, VSMALL);
     const bool moved = sum(magSqr(p.state().a)) > 0;
     const bool asAWhole =
         now.size()*magSqr(average(now)) > 0.5*sum(magSqr(now));
-    sure =
-        sure
-     || (
-            explains && moved && (asAWhole || locked)
-         && sum(dd) > 1e-4*sum(magSqr(step.end.u))
-        );
 
-    const scalar most = max(q, stiffest);
-
-    return min(most + (most - 1)*inertia/viscousResistance, maxRaise);
+    return
+        growth > 0.5*(q - 1) && growth < 2*(q - 1)
+     && moved
+     && (asAWhole || !boundary_.dilates())
+     && dd > 1e-4*sum(magSqr(step.end.u));
 }
 
 

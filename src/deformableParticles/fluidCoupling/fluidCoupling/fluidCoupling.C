@@ -342,6 +342,15 @@ bool Foam::fluidCoupling::turn
 }
 
 
+void Foam::fluidCoupling::anticipate(clumpParcel& p, const scalar dt) const
+{
+    if (types_[p.typeId()].ofSpheres())
+    {
+        coefficient_->anticipate(p, viscosity(p), dt);
+    }
+}
+
+
 bool Foam::fluidCoupling::adapt
 (
     clumpParcel& p,

@@ -34,8 +34,8 @@ for r in read("data.csv"):
                 results.add("%s, lag %g ms: diffusivity of beads" % (name, 1e3*lag), value,
                             "um2/s", TRAJECTORIES[lag][0], "20%",
                             "PLTs-FatTails; standard error here %.0f" % error, KNOWN.get(lag))
-        results.add(name + ", lag 20 ms: diffusivity beside experiments", D[0.02][0], "um2/s", 15, 10,
-                    "5 to 25: Turitto, Benis and Leonard 1972")
+        results.add(name + ", lag 20 ms: diffusivity beside experiments", D[0.02][0], "um2/s", 15,
+                    10, "5 to 25: Turitto, Benis and Leonard 1972")
         continue
     times = np.unique(rows["time"])
     distance = np.array([HALF - 1e6*np.abs(rows["y"][rows["clump"] == c])

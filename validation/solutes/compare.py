@@ -39,7 +39,13 @@ with open("../sherwood_sphere.csv") as file:
                 for r in csv.DictReader(line for line in file if not line.startswith("#"))
                 if r["conf"] == "C"}
 
+def weakShear(peclet):
+    """Sherwood number of a free sphere in shear at small Peclet numbers (doc/theory.md)."""
+    return 1/(1 - 0.2568*math.sqrt(peclet))
+
+
 figure, axes = plt.subplots(figsize=(6, 3.6))
+inShear = {}
 for r in read("data.csv"):
     if r["kind"] == "array":
         name = ("array at %g, D/dx %.3g, place %g: effective diffusivity"
@@ -52,7 +58,11 @@ for r in read("data.csv"):
         else:
             results.add(name, value, "of the reference", 1, 0.02, "Rayleigh 1892")
     elif r["kind"] in names.values():
-        results.add("%s, Pe %g, D/dx %g: Sherwood number" % (r["kind"], r["number"], r["D_dx"]),
+        name = "%s, Pe %g, D/dx %g" % (r["kind"], r["number"], r["D_dx"])
+        if r["kind"] == "shear":
+            name += ", %g radii" % r["width"]
+            inShear[r["number"], r["D_dx"], r["width"]] = r["value"]
+        results.add(name + ": Sherwood number",
                     r["value"]/sherwood[r["kind"], r["number"]], "of the reference", 1,
                     0.02 if r["D_dx"] > 8 else 0.05, "exact Stokes flow, spherical harmonics",
                     KNOWN.get((r["kind"], r["number"], r["D_dx"])))
@@ -81,6 +91,17 @@ for r in read("data.csv"):
                     "Crank 1975, eq. 6.45")
         axes.plot(times, content, label=name)
         axes.plot(times, exact, "k:")
+for (peclet, resolution, width), value in inShear.items():
+    if peclet == 0.1 and (0.01, resolution, width) in inShear:
+        # The mesh changes the diffusion from the surface, and not this
+        growth = value/inShear[0.01, resolution, width] - 1
+        results.add("shear, Pe 0.01 to 0.1, D/dx %g, %g radii: growth of the Sherwood number"
+                    % (resolution, width), growth/(weakShear(0.1)/weakShear(0.01) - 1),
+                    "of the reference", 1, 0.1, "Frankel and Acrivos 1968")
+    if width == 12 and (peclet, resolution, 8) in inShear:
+        results.add("shear, Pe %g, D/dx %g: Sherwood number in a box of 8 radii"
+                    % (peclet, resolution), inShear[peclet, resolution, 8]/value,
+                    "of that in 12 radii", 1, 0.005, "the same sphere")
 axes.set_xlabel("time over a$^2$/D")
 axes.set_ylabel("content")
 axes.legend(fontsize=6)

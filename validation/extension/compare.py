@@ -17,7 +17,8 @@ def table(name):
                          encoding=None)
 
 
-figure, (shapes, strains) = plt.subplots(1, 2, figsize=(9, 3.6))
+COLOURS = {1: "C0", 3: "C1", 10: "C3"}
+figure, (extension, shear, strains) = plt.subplots(1, 3, figsize=(12, 3.8))
 index, areal = {}, {}
 for r in read("data.csv"):
     rows, damage = table(r["history"]), table(r["history"] + "-damage")
@@ -34,8 +35,12 @@ for r in read("data.csv"):
         results.add(name + ": largest change of the volume",
                     np.abs(rows["volume"]/rows["volume"][0] - 1).max(), "of the volume", 0, 1e-9,
                     "no source")
-    shapes.plot(rows["time"]/rows["time"][-1], seen, "-" if r["type"] == "membrane" else "--",
-                label=name.rsplit(",", 1)[0])
+    fine = r["cells_per_um"] > 1
+    line = ":" if fine else "-" if r["type"] == "membrane" else "--"
+    (shear if r["flow"] == "shear" else extension).plot(
+        rows["time"]/rows["time"][-1], seen, line,
+        color=COLOURS[r["stress_Pa"]],
+        label="%s%s, %g Pa" % (r["type"], " of 642 nodes" if fine else "", r["stress_Pa"]))
 
 three = [index.get(("shear", "membrane", stress, 1.0)) for stress in (1, 3, 10)]
 if None not in three:
@@ -68,7 +73,8 @@ if os.path.exists("crowds.csv"):
         for c in set(rows["clump"]):
             one = rows["clump"] == c
             strains.plot(1e3*rows["time"][one], rows["strain"][one],
-                         "C0" if kind == "eight" else "C1")
+                         color="C0" if kind == "eight" else "C1",
+                         label={"eight": "one of eight cells", "one": "one cell"}[kind])
     for name, values in ("peak", peaks), ("mean", means):
         one, eight = np.mean(values["one"]), np.mean(values["eight"])
         results.report("eight cells: %s areal strain, mean over the cells" % name, eight, "-",
@@ -85,12 +91,17 @@ if os.path.exists("crowds.csv"):
     results.report("eight cells: processor time", seconds["eight"]/seconds["one"],
                    "of that of one", "this machine")
 
-shapes.set_xlabel("time over that of the run")
-shapes.set_ylabel("elongation index")
-shapes.set_xlim(right=1.9)
-shapes.legend(fontsize=6, loc="right")
+for axes, title in (extension, "in extension"), (shear, "in shear"):
+    axes.set_xlabel("time over that of the run")
+    axes.set_ylabel("elongation index")
+    axes.set_title(title)
+extension.legend(fontsize=6, loc="lower right")
+strains.set_title("eight cells, and one in three positions")
 strains.set_xlabel("time [ms]")
-strains.set_ylabel("largest areal strain: eight cells, one cell")
+strains.set_ylabel("largest areal strain")
+if strains.lines:
+    names = dict(zip(*strains.get_legend_handles_labels()[::-1]))
+    strains.legend(names.values(), names.keys(), fontsize=6)
 figure.tight_layout()
 save(figure, "extension.png")
 results.write()

@@ -124,8 +124,8 @@ else:
     tongue = Tongue(bore, lip, 0.5*math.pi, tip - bore - lip)
 tension = meridianTension(start, x, triangles, tongue.r[0])
 film = math.pi*(RADIUS + LIP)*gap**3*across/(6*VISCOSITY*0.5*math.pi*LIP)
-print("leak: %.0f %% of the flux through the open pipette; that of a film of %.2f um along the lip: "
-      "%.1f %%" % (100*leak/free, 1e6*gap, 100*film/free))
+print("leak: %.0f %% of the flux through the open pipette; that of a film of %.2f um along the lip:"
+      " %.1f %%" % (100*leak/free, 1e6*gap, 100*film/free))
 print("tension at the mouth: %.1f uN/m by the pressure, %.1f uN/m by shear of the membrane "
       "outside" % (1e6*0.5*across*tongue.radius, 1e6*tension))
 # What the membrane stores over the volume of the tongue, while it grows by the last tenth

@@ -1,5 +1,6 @@
 """Deformation of a solid sphere in shear over time, against the exact ellipsoid."""
 
+import math
 import os
 import sys
 
@@ -9,6 +10,10 @@ from results import Results, plt, read, save  # noqa: E402
 
 # Misses of D by nodes outside, viscosity ratio and Poisson ratio, see the page
 KNOWN = {(2, 5, 0.4): 0.13722, (2, 1, 0.2): 0.21937}
+
+# Misses of the relaxation time by step, nodes outside and box
+RELAXATION = {(0.05, 2, 4): 0.62429, (0.025, 2, 4): 0.62547, (0.05, 2, 6): 0.57287,
+              (0.05, 2, 8): 0.56037, (0.05, 3, 4): 0.61686, "extrapolated": 0.55125}
 
 SOURCE = "exact ellipsoid in unbounded shear (reference/ellipsoid.py)"
 
@@ -77,6 +82,50 @@ for key, rows in runs.items():
     axes.plot([r["t"] for r in rows], [r["D"] for r in rows], ".", ms=4, label=name)
 for (ratio, Ca), rows in exact.items():
     axes.plot([r[0] for r in rows], [r[1] for r in rows], "k", lw=0.8)
+
+# Released after one shear time: the creep back does not depend on the deformation at its beginning
+releases = {}
+for r in read("release.csv"):
+    releases.setdefault((r["step"], int(r["subdivisions"]), r["box"]), []).append(r)
+
+
+def relaxation(found):
+    """Time in which D falls by a factor of e, from t = 1.2 to 2.2"""
+    first, last = (next(D for t, D in found if abs(t - when) < 1e-6) for when in (1.2, 2.2))
+    return 1/math.log(first/last)
+
+
+reference = course("shear", 0.2, 1, 2.4, until=1)
+exactTime = relaxation([r[:2] for r in reference])
+times = {key: relaxation([(r["t"], r["D"]) for r in rows]) for key, rows in releases.items()}
+for (step, subdivisions, box), rows in releases.items():
+    name = (f"released, {10*4**subdivisions + 2} nodes outside, box of {box:g} R, "
+            f"step {step:g}")
+    results.add(f"relaxation time, {name}", times[step, subdivisions, box], "shear times",
+                exactTime, "5%", SOURCE, RELAXATION.get((step, subdivisions, box)))
+    if box > 4:
+        # Between closer walls it turns
+        turned = [r["angle_deg"] for r in rows if 1.2 <= r["t"] <= 2.2]
+        results.add(f"turn from t = 1.2 to 2.2, {name}", turned[-1] - turned[0], "degrees", 0,
+                    0.5, "none: no torque acts on it")
+    results.add(f"largest deviation of the volume, {name}",
+                max((r["volume"] for r in rows), key=lambda v: abs(v - 1)), "-", 1, 1e-6,
+                "volume at rest")
+    axes.plot([r["t"] for r in rows], [r["D"] for r in rows], "x", ms=4, label=name)
+axes.plot([r[0] for r in reference], [r[1] for r in reference], "k--", lw=0.8)
+
+# Walls and images act with the third power of the radius over their distance
+boxes = [box for box in (4, 6, 8) if (0.05, 2, box) in times]
+if len(boxes) == 3:
+    a, b, c = (times[0.05, 2, box] for box in boxes)
+    without = c - (b - c)*8**-3/(6**-3 - 8**-3)
+    results.add("relaxation time with 162 nodes outside, box of 4 R, from those of 6 and 8 R", a,
+                "shear times", without + (c - without)*(8/4)**3, "2%", "third power of the box")
+    results.add("relaxation time with 162 nodes outside, extrapolated over the box", without,
+                "shear times", exactTime, "5%", SOURCE, RELAXATION["extrapolated"])
+if (0.025, 2, 4) in times:
+    results.add("relaxation time with half the step over that with the whole",
+                times[0.025, 2, 4]/times[0.05, 2, 4], "-", 1, 0.01, "no dependence")
 axes.set(xlabel="time x shear rate", ylabel="Taylor deformation")
 axes.legend(fontsize=7)
 save(figure, "solids.png")

@@ -14,7 +14,7 @@ from .formulas import NotAFormula, block, isEquation, sentence
 # Pages below a page README.md follow the order of its links.
 CONTENTS = {
     "Guide": "doc/install doc/userGuide doc/addCells doc/models/README doc/calibrateClump "
-             "doc/mechanicalTests "
+             "doc/mechanicalTests doc/cytometry "
              "doc/python doc/sorting doc/movingMeshes doc/solutes doc/accuracy doc/caseSize "
              "doc/restart doc/limits doc/releases",
     "Tutorials": "tutorials/gallery tutorials/README doc/courses/README",

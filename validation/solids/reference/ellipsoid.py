@@ -78,18 +78,20 @@ def state(F):
     return (a - b)/(a + b), angle, stretches[2], stretches[0]
 
 
-def course(flow, Ca, ratio, end, step=0.01):
-    """Rows of time and state, from rest, by the classical Runge-Kutta method."""
+def course(flow, Ca, ratio, end, step=0.01, until=None):
+    """Rows of time and state, from rest, by the classical Runge-Kutta method; the flow ends at the
+    time until, if there is one, which is a whole number of steps."""
     step = min(step, 0.1*Ca)
     steps = int(round(end/step))
     step = end/steps
     F = np.eye(3)
 
     def rate(F):
-        return gradient(F, FLOWS[flow], Ca, ratio) @ F
+        return gradient(F, FLOWS[flow]*flows, Ca, ratio) @ F
 
     rows = [(0.0,) + state(F)]
     for n in range(steps):
+        flows = until is None or (n + 0.5)*step < until
         k1 = rate(F)
         k2 = rate(F + 0.5*step*k1)
         k3 = rate(F + 0.5*step*k2)

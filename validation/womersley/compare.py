@@ -1,4 +1,5 @@
-"""Amplitude and phase of an oscillating flow, and the way of a bead that it carries."""
+"""Amplitude and phase of an oscillating flow, also with red cells, and the way of a bead that it
+carries."""
 
 import cmath
 import math
@@ -48,9 +49,11 @@ for r in runs:
     rows = read(r["file"])
     alpha, steps = r["alpha"], int(r["steps"])
     name = f"{r['section']}, {r['drive']}, {r['scheme']}, alpha {alpha:g}, {steps} steps"
+    if r["across_um"] != 80:
+        name += f", mesh cells of {r['across_um']:g} um"
     U, G, middle = (amplitude(rows, c) for c in ("U_m_s", "G_m_s2", "middle_m_s"))
     u, g = exact(r["section"], alpha)
-    middles[r["section"], r["drive"], r["scheme"], alpha, steps] = middle/SPEED
+    middles.setdefault((r["section"], r["drive"], r["scheme"], alpha, steps), middle/SPEED)
     source = SOURCE[r["section"]]
 
     second = r["scheme"] == "backward"
@@ -93,6 +96,42 @@ for r in read("beads.csv"):
                     known)
     way = max(row["x_m"] for row in path) - START["x"]
     results.report(f"way: {name}", 1e6*way, "um", "forth")
+
+
+
+def equivalent(gradient, alpha):
+    """Viscosity over that of the plasma of the liquid in a slit that needs a gradient of this
+    size over that of the mean velocity"""
+    low, high = 0.1, 10
+    for _ in range(60):
+        ratio = math.sqrt(low*high)
+        low, high = (ratio, high) if abs(ratio*exact("slit", alpha/math.sqrt(ratio))[1]) \
+            < gradient else (low, ratio)
+    return ratio
+
+
+for r in read("cells.csv"):
+    rows = read(r["file"])
+    alpha = r["alpha"]
+    name = f"red cells of 20 %, alpha {alpha:g}"
+    U, G = (amplitude(rows, c) for c in ("U_m_s", "G_m_s2"))
+    results.add(f"mean velocity: {name}", abs(U/SPEED - 1), "-", 0, 1e-8, "held")
+    results.add(f"flux over a period: {name}", mean([row["U_m_s"] for row in rows])/SPEED,
+                "-", 0, 1e-6, "zero on average")
+    # exact() is in the units of a slit of 2 mm; G h^2/nu is the same in all of them
+    scaled = G/U*(10e-6)**2/1.171e-6*NU/HALF**2
+    ratio = equivalent(abs(scaled), alpha)
+    phase = cmath.phase(ratio*exact("slit", alpha/math.sqrt(ratio))[1])
+    results.report(f"gradient: {name}", abs(scaled/exact("slit", alpha)[1]), "-", "plasma alone")
+    results.report(f"viscosity of the liquid with this gradient: {name}", ratio, "-", "plasma")
+    results.add(f"phase of gradient: {name}", cmath.phase(scaled) - phase, "rad", 0, 0.03,
+                "liquid of the viscosity that fits the amplitude")
+    places = {}
+    for row in read(r["places"]):
+        places.setdefault(row["clump"], []).append([row[c] for c in ("x_m", "y_m", "z_m")])
+    apart = [1e6*math.dist(path[-1], path[-2]) for path in places.values()]
+    results.report(f"cells in the last period come back to within: {name}", max(apart), "um",
+                   "Stokes flow reverses")
 
 axes.set_xlabel("time in periods")
 axes.set_ylabel("velocity in the middle over the mean one")

@@ -8,6 +8,7 @@
 #include "HashSet.H"
 #include "Map.H"
 #include "toEigen.H"
+#include "wallDisplacement.H"
 #include <map>
 
 Foam::membraneContacts::bondForce Foam::membraneContacts::bondLaw
@@ -123,7 +124,10 @@ void Foam::membraneContacts::findBonds
                 end.d = bond.otherAnchor - dt_*images[a].u[bond.sphere.first()];
                 if (walls && patchi >= 0)
                 {
-                    end.d += dt_*walls->velocity(patchi, x + bond.otherAnchor);
+                    end.d += wallDisplacement
+                    (
+                        *walls, patches_[patchi], x + bond.otherAnchor, dt_
+                    );
                 }
                 nodesOf(own[a]).bonds.append(end);
                 continue;

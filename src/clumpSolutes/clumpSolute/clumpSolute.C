@@ -190,6 +190,7 @@ bool Foam::functionObjects::clumpSolute::execute()
     {
         return true;
     }
+    takeAlong();
     moveClumps();
     fillEmpty();
     solve();

@@ -14,13 +14,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::functionObjects::clumpSolute::flux() c
             << name() << ": there is no flow (phi) that a solute could go with"
             << exit(FatalError);
     }
-    if (mesh_.moving())
-    {
-        FatalErrorInFunction
-            << name() << ": the points of the mesh move (constant/dynamicMeshDict). A"
-            << " solute is transported on meshes that stand, slide or are refined."
-            << exit(FatalError);
-    }
     tmp<surfaceScalarField> result(new surfaceScalarField("soluteFlux", *phi));
     const vector& V = cloud().meshVelocity();
     if (V != vector::zero)
@@ -39,9 +32,25 @@ Foam::tmp<Foam::surfaceScalarField> Foam::functionObjects::clumpSolute::flux() c
 }
 
 
+void Foam::functionObjects::clumpSolute::takeAlong()
+{
+    if (!mesh_.moving())
+    {
+        return;
+    }
+    const scalarField ratio(mesh_.V0().field()/mesh_.V().field());
+    outside_->stretch(ratio);
+    inside_->stretch(ratio);
+    outerContent_->primitiveFieldRef() *= ratio;
+    innerContent_->primitiveFieldRef() *= ratio;
+}
+
+
 void Foam::functionObjects::clumpSolute::moveClumps()
 {
-    if (mesh_.topoChanging() || surfaces_->type().size() != mesh_.nCells())
+    const bool changed =
+        mesh_.topoChanging() || surfaces_->type().size() != mesh_.nCells();
+    if (changed || mesh_.moving())
     {
         surfaces_.reset(new bodySurfaces(mesh_));
     }

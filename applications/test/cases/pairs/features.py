@@ -165,6 +165,35 @@ def refined(scene):
               "constraints { siblings { type refinementHistory; } }")
 
 
+def moving(scene):
+    """Points inside, and those along periodic directions, go to and fro by a third of the width of
+    a mesh cell; the layers around them are stretched."""
+    blocks(scene, "16 13 13")
+    scene.add("system/fvSolution", "PISO { nNonOrthogonalCorrectors 1; }")
+    scene.utilities += ["topoSet"]
+    scene.add("constant/dynamicMeshDict", """
+        dynamicFvMesh dynamicMotionSolverFvMesh; motionSolverLibs ("libfvMotionSolvers.so");
+        motionSolver solidBody;
+        solidBodyCoeffs
+        {
+            cellZone inner; solidBodyMotionFunction oscillatingLinearMotion;
+            oscillatingLinearMotionCoeffs { amplitude (3e-7 2.5e-7 2e-7); omega 4000; }
+        }""")
+
+
+def zone(scene):
+    """Of the points that move: across y there are layers that do not in every scene."""
+    edges = [-1 if scene.periodic(i) and i != 1 else 2.9 for i in range(3)]
+    box = "box (%ge-6 %ge-6 %ge-6) (%ge-6 %ge-6 %ge-6);" % (
+        *edges, *(length - edge for length, edge in zip(LENGTHS, edges)))
+    scene.add("system/topoSetDict", f"""
+        actions
+        (
+            {{ name inner; type cellSet; action new; source boxToCell; {box} }}
+            {{ name inner; type cellZoneSet; action new; source setToCellZone; set inner; }}
+        );""")
+
+
 # Boundaries: in x, y and z
 
 def sides(x, y, z):
@@ -194,6 +223,8 @@ def sides(x, y, z):
         if scene.row["mesh"] == "refined" and pairs:
             scene.add("system/decomposeParDict",
                       f"constraints {{ pairs {{ type preservePatches; patches ({pairs}); }} }}")
+        if scene.row["mesh"] == "moving":
+            zone(scene)
     return write
 
 
@@ -394,6 +425,7 @@ FEATURES = {
         "sheared": sheared,
         "split": split,
         "refined": refined,
+        "moving": moving,
     },
     "ranks": {
         str(n): adds("system/decomposeParDict",

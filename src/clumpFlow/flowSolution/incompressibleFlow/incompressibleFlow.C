@@ -21,6 +21,7 @@
 #include "initialPressure.H"
 #include "meshMotion.H"
 #include "solverSettings.H"
+#include "turnedMomentum.H"
 #include "unsolvedPhysics.H"
 
 void Foam::incompressibleFlow::check(const dictionary& dict)
@@ -383,7 +384,7 @@ void Foam::incompressibleFlow::solveMomentum(fvVectorMatrix& UEqn)
     }
     else
     {
-        solve(UEqn == -gradp);
+        turnedMomentum::solve(UEqn, gradp, UEqn.solverDict());
     }
 }
 

@@ -108,22 +108,6 @@ void Foam::meshMotion::refuse() const
             "Let the flow feel them (effects, feedback on)."
         );
     }
-    if (cloud_.injects())
-    {
-        fatal
-        (
-            "clumps are injected, for whom the places are found on a mesh that stands",
-            "Place the clumps at the start (entry placement)."
-        );
-    }
-    if (cloud_.motion().gaps().bonds())
-    {
-        fatal
-        (
-            "surfaces bind to each other, with anchors that do not follow a wall",
-            "Remove the bonds from gapModel and wallGapModel."
-        );
-    }
 }
 
 

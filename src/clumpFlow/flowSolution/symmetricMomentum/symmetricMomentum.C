@@ -6,6 +6,7 @@
 #include "symmetricMomentum.H"
 #include "fvMesh.H"
 #include "symmetryPlanes.H"
+#include "turnedMomentum.H"
 
 Foam::symmetricMomentum::symmetricMomentum(const fvVectorMatrix& UEqn)
 :
@@ -59,6 +60,20 @@ Foam::tmp<Foam::volVectorField> Foam::symmetricMomentum::H
     {
         tH.ref().primitiveFieldRef() +=
             missing_/U.mesh().V()*U.primitiveField();
+        forAll(U.mesh().boundary(), patchi)
+        {
+            const fvPatch& patch = U.mesh().boundary()[patchi];
+            if (!turnedMomentum::isOblique(patch))
+            {
+                continue;
+            }
+            const vectorField change(turnedMomentum::change(UEqn_, patchi, U));
+            forAll(change, i)
+            {
+                const label celli = patch.faceCells()[i];
+                tH.ref()[celli] += change[i]/U.mesh().V()[celli];
+            }
+        }
         tH.ref().correctBoundaryConditions();
     }
     return tH;

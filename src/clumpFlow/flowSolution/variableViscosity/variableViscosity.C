@@ -12,6 +12,7 @@
 #include "fvmLaplacian.H"
 #include "linear.H"
 #include "mirroredValues.H"
+#include "turnedMomentum.H"
 
 Foam::variableViscosity::variableViscosity
 (
@@ -100,7 +101,7 @@ void Foam::variableViscosity::solve
     for (nPasses_ = 1; true; ++nPasses_)
     {
         const vectorField before(U_.primitiveField());
-        Foam::solve(UEqn == -gradp, controls);
+        turnedMomentum::solve(UEqn, gradp, controls);
         const vectorField change(U_.primitiveField() - before);
         const vector mean(gSum(V*U_.primitiveField())/volume);
         const scalar size = gSum(V*magSqr(U_.primitiveField() - mean));

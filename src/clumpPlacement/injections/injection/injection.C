@@ -163,6 +163,25 @@ Foam::boundBox Foam::injection::around(const boundBox& box) const
 }
 
 
+void Foam::injection::refuseMotion
+(
+    const boundBox& before,
+    const boundBox& now
+) const
+{
+    const scalar moved = max(mag(now.min() - before.min()), mag(now.max() - before.max()));
+    if (moved > 1e-6*before.mag())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "At time " << site_.mesh.time().timeName() << " the points of the patches of"
+            << " injection " << name() << " have moved by " << moved << " m. Clumps are"
+            << " injected through patches that stand: let the motion of the mesh"
+            << " (constant/dynamicMeshDict) leave them where they are."
+            << exit(FatalIOError);
+    }
+}
+
+
 Foam::labelList Foam::injection::storedLabels
 (
     const dictionary& state,

@@ -45,6 +45,7 @@ Foam::patchInjection::patchInjection
     injection(dict, s),
     patches_(openPatches("patches")),
     lines_(s.mesh, patches_),
+    box_(lines_.box()),
     places_
     (
         s.mesh, s.ghosts, s.types, patches_, around(lines_.box()),
@@ -434,6 +435,7 @@ void Foam::patchInjection::meshChanged()
 {
     lines_.update();
     places_.clear();
+    refuseMotion(box_, lines_.box());
 }
 
 

@@ -66,7 +66,8 @@ Foam::clumpInjections::preInlet::preInlet
             << "Entry 'patches' must name one patch." << exit(FatalIOError);
     }
 
-    boundBox box(patchLines(s.mesh, patches_).box());
+    box_ = patchLines(s.mesh, patches_).box();
+    boundBox box(box_);
     centre_ = box.midpoint();
     radius_ = 0.5*box.mag();
     findPlane();
@@ -225,6 +226,13 @@ void Foam::clumpInjections::preInlet::inject
         }
     }
     countLost(clumps);
+}
+
+
+void Foam::clumpInjections::preInlet::meshChanged()
+{
+    places_->clear();
+    refuseMotion(box_, patchLines(site_.mesh, patches_).box());
 }
 
 

@@ -7,6 +7,7 @@
 #include "bondFrame.H"
 #include "Map.H"
 #include "mathematicalConstants.H"
+#include "wallDisplacement.H"
 #include <map>
 
 namespace
@@ -163,7 +164,7 @@ Foam::vector Foam::contactStep::wayOfWall(const bondEnd& e) const
     }
     const surfaceBond& bond = gaps_.bonds()->bonds()[e.number];
     const point place(clumps_[e.a].centres()[e.i] + bond.otherAnchor);
-    return wholeDt_*walls_.velocity(e.patch, place);
+    return wallDisplacement(walls_, mesh_.boundaryMesh()[e.patch], place, wholeDt_);
 }
 
 

@@ -6,6 +6,7 @@
 #include "contactStep.H"
 #include "foamCompat.H"
 #include "sphereGrid.H"
+#include "wallDisplacement.H"
 #include <algorithm>
 
 void Foam::contactStep::clearCoupled()
@@ -130,6 +131,12 @@ void Foam::contactStep::endSearch()
     search_.tooNarrow = false;
     search_.contacts = sphereContacts_;
     search_.begins = begins_;
+}
+
+
+bool Foam::contactStep::wallsMove() const
+{
+    return Foam::wallsMove(mesh_);
 }
 
 

@@ -6,29 +6,8 @@
 #include "wallContacts.H"
 #include "StringStream.H"
 #include "volFields.H"
+#include "wallDisplacement.H"
 #include "wallPolyPatch.H"
-
-namespace
-{
-
-using namespace Foam;
-
-//- Whether points of a patch have moved in the step, on any processor
-bool pointsMove(const polyPatch& patch)
-{
-    const polyMesh& mesh = patch.boundaryMesh().mesh();
-    bool move = false;
-    if (mesh.moving())
-    {
-        for (const label pointi : patch.meshPoints())
-        {
-            move = move || mesh.points()[pointi] != mesh.oldPoints()[pointi];
-        }
-    }
-    return returnReduce(move, orOp<bool>());
-}
-
-}
 
 Foam::wallContacts::wallContacts
 (

@@ -1,0 +1,68 @@
+/*---------------------------------------------------------------------------*\
+    deformableParticles: deformable particles for OpenFOAM
+    GPL-3.0-or-later, see COPYING
+\*---------------------------------------------------------------------------*/
+
+#include "wallDisplacement.H"
+#include "polyMesh.H"
+#include "wallContacts.H"
+#include "wallPolyPatch.H"
+
+bool Foam::pointsMove(const polyPatch& patch)
+{
+    const polyMesh& mesh = patch.boundaryMesh().mesh();
+    bool move = false;
+    if (mesh.moving())
+    {
+        for (const label pointi : patch.meshPoints())
+        {
+            move = move || mesh.points()[pointi] != mesh.oldPoints()[pointi];
+        }
+    }
+    return returnReduce(move, orOp<bool>());
+}
+
+
+bool Foam::wallsMove(const polyMesh& mesh)
+{
+    bool move = false;
+    if (mesh.moving())
+    {
+        for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
+        {
+            const polyPatch& patch = mesh.boundaryMesh()[i];
+            move = move || (isA<wallPolyPatch>(patch) && pointsMove(patch));
+        }
+    }
+    return move;
+}
+
+
+Foam::vector Foam::wallDisplacement
+(
+    const wallContacts& walls,
+    const polyPatch& patch,
+    const point& x,
+    const scalar dt
+)
+{
+    const vector slides(dt*walls.velocity(patch.index(), x));
+    if (!patch.boundaryMesh().mesh().moving())
+    {
+        return slides;
+    }
+    constexpr label nIterations = 3;
+    vector moved(Zero);
+    for (label n = 0; n < nIterations; ++n)
+    {
+        wallSurface::nearPlace place;
+        const bool found =
+            walls.surface().nearest(x + moved, walls.surface().known(), place);
+        if (!found || place.patch != patch.index())
+        {
+            break;
+        }
+        moved = place.moved;
+    }
+    return slides + moved;
+}

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testCatch.H"
+#include "clumpMotion.H"
 #include "contactLaws.H"
 #include "testCloud.H"
 #include "volFields.H"
@@ -203,6 +204,31 @@ TEST_CASE("friction: a sphere that resists rolling", "[contact][friction]")
         p.state().w[0] = vector(0, 1e3, 0);
     }
     CHECK(after(*cloud, 20).w.y() == Approx(1e3).epsilon(1e-6));
+}
+
+
+TEST_CASE("friction: a sphere that rolls and spins", "[contact][friction]")
+{
+    // It rolls on straight, while it turns about the normal of the wall by 0.3 rad a step.
+    // The rotation vector of a step, by which the slip is measured, is turned by the spin
+    const scalar dt = testTime().deltaTValue();
+    const scalar turn = 0.3/dt;
+    const scalar N = mass*g;
+    OStringStream place;
+    place.precision(15);
+    place
+        << "{ type ball; position (4e-6 " << radius - depth(N) << " 10e-6); velocity ("
+        << turn*radius << " 0 0); angularVelocity (0 " << turn << " " << -turn << "); }";
+    autoPtr<openCloud> cloud(spheres(place.str(), mass*g*vector(0, -1, 0), 0.5));
+
+    const label n = 10;
+    const motion end(after(*cloud, n));
+    CHECK(end.u.x() == Approx(turn*radius).epsilon(0.01));
+    CHECK(mag(end.u.z()) < 0.01*end.u.x());
+
+    const label solves = returnReduce(cloud->motion().nSolves(), sumOp<label>());
+    INFO(scalar(solves)/n << " solutions in a step");
+    CHECK(solves <= 60*n);
 }
 
 

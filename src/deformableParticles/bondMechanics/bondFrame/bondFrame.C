@@ -197,3 +197,18 @@ void Foam::bondFrame::addForces
     Ti += R_ & (0.5*w + couple);
     Tj += R_ & (0.5*w - couple);
 }
+
+
+Foam::vector Foam::rotationGradient(const vector& phi, const vector& v)
+{
+    const scalar p2 = magSqr(phi);
+    scalar c = 1.0/12.0 + p2/720*(1 + p2/42*(1 + p2/40));
+    if (p2 > 0.01)
+    {
+        const scalar p = Foam::sqrt(p2);
+        c = (1 - 0.5*p/Foam::tan(0.5*p))/p2;
+    }
+    const vector pv(phi ^ v);
+
+    return v + 0.5*pv + c*(phi ^ pv);
+}

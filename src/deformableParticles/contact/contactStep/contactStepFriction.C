@@ -4,8 +4,31 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactStep.H"
+#include "bondFrame.H"
 #include "mathematicalConstants.H"
 #include "toEigen.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Change of the rotation vector phi by a small further rotation: J^-1 with the left
+//  Jacobian J of the exponential map
+Eigen::Matrix3d byFurtherRotation(const vector& phi)
+{
+    Eigen::Matrix3d result;
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        vector e(Zero);
+        e[k] = 1;
+        result.row(k) = toEigen(rotationGradient(phi, e)).transpose();
+    }
+    return result;
+}
+
+}
+
 
 void Foam::contactStep::frictionPotential::evaluate
 (
@@ -128,12 +151,13 @@ void Foam::contactStep::addRotations(const label m, clumpTangent& K) const
             continue;
         }
         const Eigen::Matrix3d A(toEigen(t.sliding.tangent));
-        const Eigen::Matrix3d N(t.arm*crossMatrix(toEigen(t.slipNormal)));
+        const Eigen::Matrix3d J(byFurtherRotation(turned_[a][t.i]));
+        const Eigen::Matrix3d N(t.arm*crossMatrix(toEigen(t.slipNormal))*J);
         clumpTangent::block& D = K.diagonal(t.i);
         D.topRightCorner<3, 3>() += A*N;
         D.bottomLeftCorner<3, 3>() += N.transpose()*A;
         D.bottomRightCorner<3, 3>() +=
-            N.transpose()*A*N + toEigen(t.rolling.tangent);
+            N.transpose()*A*N + J.transpose()*toEigen(t.rolling.tangent)*J;
     }
     for (label n = bondBegins_[a]; n < bondBegins_[a + 1]; ++n)
     {
@@ -158,7 +182,17 @@ void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
                 continue;
             }
             const vector& n = t.slipNormal;
-            const vector turn(turnOfImage(t, turns[t.otherIndex][t.j]));
+            const vector turn
+            (
+                turnOfImage
+                (
+                    t,
+                    rotationGradient
+                    (
+                        -turned_[t.otherIndex][t.j], turns[t.otherIndex][t.j]
+                    )
+                )
+            );
             const vector otherSlip
             (
                 t.otherArm*(n ^ turn) - ofImage(t, moves[t.otherIndex][t.j])
@@ -166,7 +200,10 @@ void Foam::contactStep::coupleFriction(const motions& p, motions& Ap)
             const vector f(t.sliding.tangent & otherSlip);
             const vector moment(t.rolling.tangent & turn);
             Ap[m].segment<3>(6*t.i) += toEigen(f);
-            Ap[m].segment<3>(6*t.i + 3) += toEigen(t.arm*(f ^ n) - moment);
+            Ap[m].segment<3>(6*t.i + 3) += toEigen
+            (
+                rotationGradient(turned_[a][t.i], t.arm*(f ^ n) - moment)
+            );
         }
     }
 }

@@ -7,30 +7,6 @@
 #include "toEigen.H"
 #include <Eigen/Eigenvalues>
 
-namespace
-{
-
-using namespace Foam;
-
-//- Gradient of v.phi with respect to a small further rotation, where phi is the
-//  rotation vector: J^-T v with the left Jacobian J of the exponential map
-vector rotationGradient(const vector& phi, const vector& v)
-{
-    const scalar p2 = magSqr(phi);
-    scalar c = 1.0/12.0 + p2/720*(1 + p2/42*(1 + p2/40));
-    if (p2 > 0.01)
-    {
-        const scalar p = Foam::sqrt(p2);
-        c = (1 - 0.5*p/Foam::tan(0.5*p))/p2;
-    }
-    const vector pv(phi ^ v);
-
-    return v + 0.5*pv + c*(phi ^ pv);
-}
-
-}
-
-
 Foam::incrementalPotential::incrementalPotential
 (
     const clumpBonds& bonds,

@@ -103,7 +103,8 @@ void Foam::jointMinimiser::evaluate()
 void Foam::jointMinimiser::updateTangent(const label m)
 {
     const symmTensorField contacts(group_.stiffness(m));
-    bool stale = moved_[m] > sameTangent;
+    // What friction adds for rotations is in the tangent alone
+    bool stale = group_.turns() || moved_[m] > sameTangent;
     if (!stale)
     {
         scalar largest = 0, change = 0;
@@ -112,8 +113,7 @@ void Foam::jointMinimiser::updateTangent(const label m)
             largest = max(largest, mag(contacts[i]));
             change = max(change, mag(contacts[i] - contacts_[2*m + used_[m]][i]));
         }
-        // What friction adds for rotations is in the tangent alone
-        stale = change > (group_.turns() ? 1e-6 : 0.01)*largest;
+        stale = change > 0.01*largest;
     }
     if (stale)
     {

@@ -19,6 +19,9 @@ namespace
 
     //- Largest eigenvalue of K^-1 (K - C), with a margin for kept tangents
     constexpr Foam::scalar largestEigenvalue = 2.05;
+
+    //- Smallest one for which Chebyshev's iteration takes less than 200 steps
+    constexpr Foam::scalar smallestEigenvalue = 4e-4;
 }
 
 
@@ -187,7 +190,8 @@ bool Foam::jointMinimiser::findStep(const bool mayChebyshev)
         d.setZero();
     }
     const scalar least = 0.8*group_.leastEigenvalue;
-    const bool byChebyshev = mayChebyshev && least > 0;
+    const bool byChebyshev =
+        mayChebyshev && least > smallestEigenvalue && least < largestEigenvalue;
     here_[atEnd] = 0;
     if (!byChebyshev)
     {

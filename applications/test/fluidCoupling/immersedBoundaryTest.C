@@ -625,9 +625,11 @@ TEST_CASE("boundary: a coefficient that is too small is raised", "[boundary][cou
         }
         return result;
     };
+    // Raised before the clump is advanced; then the corrector takes back 2 %, because it
+    // does not overshoot
     const scalarList raised(factors({1, 1, 1}));
     CHECK(raised[1] == 1);
-    CHECK(raised[2] == Approx(5).epsilon(0.01));
+    CHECK(raised[2] == Approx(0.98*5).epsilon(0.01));
 
     // What a neighbour does to the flow in one corrector is not resistance
     CHECK(factors({0, 0, 0.1, 0.1})[3] == 1);

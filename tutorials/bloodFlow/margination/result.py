@@ -27,14 +27,16 @@ for low, high in ((0, 0.02), (0.07, 0.09)):
 
 layer = 1e6*np.mean([r["layer_healthy"] for r in table(".", "cellFreeLayer") if r["time"] > 0.05])
 within = (fromWall["bead"] < layer).mean(axis=0)
-print("layer without red cells after 50 ms: %.2f um; of the beads, %.0f %% have their centre in it"
-      " in the first 20 ms, %.0f %% in the last"
+print("layer without red cells after 50 ms: %.2f um\n"
+      "beads with their centre in it: %.0f %% in the first 20 ms, %.0f %% in the last"
       % (layer, 100*within[times < 0.02].mean(), 100*within[times > 0.07].mean()))
 spread = table(".", "clumpDispersion")
 last = [r for r in spread if r["time"] == spread[-1]["time"]]
+print("diffusivity across the flow [um2/s] at lags of %s ms" % ", ".join(
+    "%g" % (1e3*r["lag"]) for r in last if r["type"] == "bead"))
 for name in fromWall:
-    print("diffusivity of %s across the flow [um2/s]: %s" % (name, ", ".join(
-        "%.0f +- %.0f at %g ms" % (1e12*r["DGradient"], 1e12*r["errorGradient"], 1e3*r["lag"])
+    print("%11s: %s" % (name, ", ".join(
+        "%.0f +- %.0f" % (1e12*r["DGradient"], 1e12*r["errorGradient"])
         for r in last if r["type"] == name)))
 
 figure, (path, profile) = plt.subplots(1, 2, figsize=(9, 3.6))

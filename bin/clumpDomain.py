@@ -143,7 +143,8 @@ class Domain:
             bounds = np.array([surface.GetBounds() for _, surface in found])
             self.limits = bounds[:, ::2].min(axis=0), bounds[:, 1::2].max(axis=0)
             extents = (self.limits[1] - self.limits[0]).max()
-            self.periodic = sorted({k for (kind, _), b in zip(found, bounds) if kind == "cyclic"
+            self.periodic = sorted({k for (kind, _), b in zip(found, bounds)
+                                    if kind in ("cyclic", "cyclicAMI")
                                     for k in range(3) if b[2*k + 1] - b[2*k] < 1e-6*extents})
 
     def repeated(self, data, depth):

@@ -402,7 +402,7 @@ def periods(case="."):
     cyclic = []
     for _, text in boundary:
         entries = dict(re.findall(r"(\w+)\s+(\S+);", text))
-        if entries.get("type") == "cyclic":
+        if entries.get("type") in ("cyclic", "cyclicAMI"):
             cyclic.append((int(entries["startFace"]), int(entries["nFaces"])))
     if not cyclic:
         return np.zeros(3)

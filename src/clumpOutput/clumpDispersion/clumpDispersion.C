@@ -5,6 +5,7 @@
 
 #include "clumpDispersion.H"
 #include "addToRunTimeSelectionTable.H"
+#include "coupledPolyPatch.H"
 #include "foamCompat.H"
 #include "stateList.H"
 #include "wallPolyPatch.H"
@@ -87,7 +88,7 @@ void Foam::functionObjects::clumpDispersion::readWall(const dictionary& dict)
         wordList valid;
         for (const polyPatch& pp : patches)
         {
-            if (!pp.coupled())
+            if (!isA<coupledPolyPatch>(pp))
             {
                 valid.append(pp.name());
             }

@@ -9,6 +9,7 @@
 #include "FlatOutput.H"
 #include "foamCompat.H"
 #include "fvOptions.H"
+#include "ghostExchange.H"
 #include "placedConditions.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -38,6 +39,7 @@ Foam::functionObjects::clumpSolute::clumpSolute
     if (!functionObject::postProcess)
     {
         refusePlaces(dict);
+        ghostExchange::checkMatching(mesh_.boundaryMesh(), "a clumpSolute", dict);
         start();
     }
 }

@@ -270,13 +270,12 @@ void Foam::couplingIteration::beginStep()
     nCorrectors_ = 0;
     agreed_ = false;
     withoutClumps_ = false;
-    nextWithout_ =
-        clumpsFollow_ && cloud_.followedFlow() && flow_.control().nCorrPIMPLE() > 1;
     if (clumpsFollow_)
     {
         acceleration_->clear();
         tolerance_ = flow_.control().dict().get<scalar>("couplingTolerance");
     }
+    nextWithout_ = clumpsFollow_ && cloud_.followedFlow() && tolerance_ > 0;
 
     // There is no pattern to be carried before the first step
     const bool started = flow_.p().time().timeIndex() > 1;

@@ -154,15 +154,16 @@ void Foam::meshMotion::checkFluxes() const
         }
         const scalarField flux(patch.Sf() & Up);
         const scalarField& motion = swept.boundaryField()[patchi];
-        in += ::Foam::sum(mag(flux));
+        // A wall that turns sweeps nothing but rounding
+        const scalarField size(max(mag(motion), patch.magSf()*mag(Up)));
+        in += ::Foam::sum(size);
         sum += ::Foam::sum(flux);
         open = open || !Up.fixesValue() || Up.assignable();
         if (!isA<wallPolyPatch>(patch.patch()))
         {
             continue;
         }
-        const scalar most = gMax(mag(motion));
-        if (gMax(mag(flux - motion)()) > 1e-6*most && most > 0)
+        if (gMax(mag(flux - motion)()) > 1e-6*gMax(size))
         {
             FatalErrorInFunction
                 << "The wall patch " << patch.name() << " moves, but U there ("

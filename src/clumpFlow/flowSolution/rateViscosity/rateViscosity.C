@@ -9,6 +9,7 @@
 #include "fvcDiv.H"
 #include "fvcGrad.H"
 #include "fvmLaplacian.H"
+#include "ghostExchange.H"
 #include "linear.H"
 #include "mirroredValues.H"
 #include "syncTools.H"
@@ -58,7 +59,16 @@ Foam::rateViscosity::rateViscosity
     flow_(flow),
     acts_(flow.solved() && cloud.coupled() && !flow.Newtonian()),
     withClumps_(false)
-{}
+{
+    if (acts_)
+    {
+        ghostExchange::checkMatching
+        (
+            flow.U().mesh().boundaryMesh(), "a viscosity that depends on the rate of strain",
+            flow.U().mesh().lookupObject<IOdictionary>("transportProperties")
+        );
+    }
+}
 
 
 template<class Type>

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "freePlaces.H"
+#include "coupledPolyPatch.H"
 #include "faceTriangles.H"
 #include "foamCompat.H"
 #include "treeDataCell.H"
@@ -58,7 +59,7 @@ Foam::List<Foam::point> Foam::freePlaces::corners(const bool atInlets) const
     DynamicList<point> result;
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (pp.coupled() || inlets_.found(pp.index()) != atInlets)
+        if (isA<coupledPolyPatch>(pp) || inlets_.found(pp.index()) != atInlets)
         {
             continue;
         }

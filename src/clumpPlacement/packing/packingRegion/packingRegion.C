@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "packingRegion.H"
+#include "coupledPolyPatch.H"
 #include "checkedEntries.H"
 #include "foamCompat.H"
 #include "ListOps.H"
@@ -174,7 +175,7 @@ void Foam::packingRegion::findFaces(const boolList& in)
             if
             (
                 in[owner[facei]]
-             && !(pp.coupled() && other[facei - mesh_.nInternalFaces()])
+             && !(isA<coupledPolyPatch>(pp) && other[facei - mesh_.nInternalFaces()])
             )
             {
                 faces_.append(pp[i]);

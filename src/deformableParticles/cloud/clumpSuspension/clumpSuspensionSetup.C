@@ -18,7 +18,10 @@ Foam::clumpSuspension::clumpSuspension
 )
 :
     // No floating point trap while the base class reads the files
-    Cloud<clumpParcel>((ignoreOverflow(), mesh), name, false),
+    Cloud<clumpParcel>
+    (
+        (ignoreOverflow(), ghostExchange::checkProcessors(mesh)), name, false
+    ),
     mesh_(mesh),
     dict_(completeClumpProperties(mesh, dict)),
     g_(gravityOf(mesh)),

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ghostExchange.H"
+#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "foamCompat.H"
 #include "processorCyclicPolyPatch.H"
@@ -34,6 +35,10 @@ const char* insteadOf(const word& type)
     {
         return "Mesh the full circle.";
     }
+    if (type == "cyclicAMI")
+    {
+        return "Mesh the full circle; the patches between its parts may be cyclicAMI.";
+    }
     return "Make the faces of both sides match and use a pair of type cyclic.";
 }
 
@@ -61,6 +66,11 @@ HashTable<vector> separationsOf(const polyBoundaryMesh& patches)
                 refCast<const processorCyclicPolyPatch>(pp).referPatch();
             const auto& cyc = refCast<const cyclicPolyPatch>(cpp);
             name = cyc.owner() ? cyc.name() : cyc.neighbPatch().name();
+        }
+        else if (isA<cyclicAMIPolyPatch>(pp))
+        {
+            const auto& cpp = refCast<const cyclicAMIPolyPatch>(pp);
+            name = cpp.owner() ? cpp.name() : cpp.neighbPatch().name();
         }
         else
         {
@@ -173,7 +183,7 @@ void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
         if (patchi < n && pp.size())
         {
             faces[patchi] += pp.size();
-            if (split || isA<cyclicPolyPatch>(pp))
+            if (split || isA<cyclicPolyPatch>(pp) || isType<cyclicAMIPolyPatch>(pp))
             {
                 const auto& cpp = refCast<const coupledPolyPatch>(pp);
                 rotates[patchi] += cpp.parallel() ? 0 : 1;
@@ -188,6 +198,7 @@ void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
         const word& type = patches[patchi].type();
         const bool supported =
             isA<cyclicPolyPatch>(patches[patchi])
+         || isType<cyclicAMIPolyPatch>(patches[patchi])
           ? !rotates[patchi]
           : !polyPatch::constraintType(type)
          || symmetryPlanes::isOne(patches[patchi]);
@@ -199,8 +210,8 @@ void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
                 << patches.objectPath() << " is of type " << type
                 << (rotates[patchi] ? " (rotational)" : "")
                 << ". Clumps cannot have images behind such a patch; supported"
-                << " types are wall, patch, translational cyclic, symmetryPlane and"
-                << " symmetry." << nl
+                << " types are wall, patch, translational cyclic and cyclicAMI,"
+                << " symmetryPlane and symmetry." << nl
                 << "    " << insteadOf(type) << exit(FatalError);
         }
     }
@@ -212,6 +223,52 @@ void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
             << fault.c_str() << " Boundary: " << patches.objectPath() << '.' << nl
             << "    Mesh both sides of the plane." << exit(FatalError);
     }
+}
+
+
+void Foam::ghostExchange::checkMatching
+(
+    const polyBoundaryMesh& patches,
+    const char* what,
+    const dictionary& dict
+)
+{
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<cyclicAMIPolyPatch>(pp) && returnReduce(pp.size(), sumOp<label>()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Patch " << pp.name() << " of " << patches.objectPath()
+                << " is of type " << pp.type() << ", across which " << what
+                << " cannot be computed." << nl << "    Make the faces of both sides"
+                << " match and use a pair of type cyclic." << exit(FatalIOError);
+        }
+    }
+}
+
+
+const Foam::polyMesh& Foam::ghostExchange::checkProcessors(const polyMesh& mesh)
+{
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (!isA<cyclicAMIPolyPatch>(pp))
+        {
+            continue;
+        }
+        const auto& half = refCast<const cyclicAMIPolyPatch>(pp);
+        if (half.owner() && half.AMI().singlePatchProc() == -1)
+        {
+            FatalErrorInFunction
+                << "Faces of the patches " << half.name() << " and "
+                << half.neighbPatchName() << " (" << half.type() << ") are on several"
+                << " processors, across which OpenFOAM follows no particle." << nl
+                << "    Decompose the case with a face set of both patches (topoSet,"
+                << " patchToFace) and this entry in system/decomposeParDict:" << nl
+                << "    constraints { joint { type singleProcessorFaceSets; sets ((joint"
+                << " -1)); } }" << exit(FatalError);
+        }
+    }
+    return mesh;
 }
 
 

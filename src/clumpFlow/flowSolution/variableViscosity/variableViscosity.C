@@ -23,6 +23,7 @@ Foam::variableViscosity::variableViscosity
     U_(U),
     fluids_(fluids),
     acceleration_(6),
+    onPatches_(Zero),
     nPasses_(0)
 {}
 
@@ -39,11 +40,13 @@ Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
     (
         mesh.Sf() & linearInterpolate(T(gradU))
     );
-    return fvc::div
+    const surfaceVectorField rest
     (
         *excess_*transposed
       + fluids_.couple(*nu_*(mesh.magSf()*fvc::snGrad(U_) + transposed))
     );
+    onPatches_ = patchStress::sumOnPatches(rest);
+    return fvc::div(rest);
 }
 
 

@@ -28,7 +28,7 @@ Foam::variableViscosity::variableViscosity
 {}
 
 
-Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
+Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling()
 {
     const fvMesh& mesh = U_.mesh();
 

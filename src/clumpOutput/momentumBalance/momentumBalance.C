@@ -10,6 +10,7 @@
 #include "fluidCoupling.H"
 #include "meanVelocityGradient.H"
 #include "fvOptions.H"
+#include "patchStress.H"
 #include "sourcesInBodies.H"
 #include "symmetryPlanes.H"
 #include "fvcDiv.H"
@@ -134,7 +135,7 @@ Foam::vector Foam::functionObjects::momentumBalance::patchForces
     const auto& U = mesh_.lookupObject<volVectorField>("U");
     const auto& p = mesh_.lookupObject<volScalarField>("p");
     const auto& phi = mesh_.lookupObject<surfaceScalarField>("phi");
-    const auto& nu = mesh_.lookupObject<volScalarField>("nu");
+    const auto& stress = mesh_.lookupObject<patchStress>(patchStress::typeName);
 
     // What a force is compared with depends neither on the level of the pressure nor on
     // the frame of reference
@@ -167,10 +168,7 @@ Foam::vector Foam::functionObjects::momentumBalance::patchForces
         (
             -gSum(p.boundaryField()[patchi]*patch.Sf())
         );
-        const vector viscous
-        (
-            gSum(nu.boundaryField()[patchi]*patch.magSf()*Up.snGrad())
-        );
+        const vector viscous(gSum(stress.implicitPart(Up)));
         result += pressure + viscous;
         size += mag(pressure + level*S) + mag(viscous);
         if (convection)
@@ -180,7 +178,8 @@ Foam::vector Foam::functionObjects::momentumBalance::patchForces
             size += mag(carried + gSum(phi.boundaryField()[patchi])*mean);
         }
     }
-    return result;
+    size += mag(stress.explicitPart());
+    return result + stress.explicitPart();
 }
 
 

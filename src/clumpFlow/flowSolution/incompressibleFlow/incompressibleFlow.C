@@ -19,7 +19,9 @@
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
 #include "initialPressure.H"
+#include "linear.H"
 #include "meshMotion.H"
+#include "mirroredValues.H"
 #include "solverSettings.H"
 #include "turnedMomentum.H"
 #include "unsolvedPhysics.H"
@@ -269,6 +271,7 @@ Foam::incompressibleFlow::incompressibleFlow
     );
     control_.reset(new outerCorrectors(mesh, iterates));
 
+    patchStress_.reset(new patchStress(mesh));
     readFields(mesh);
     startFields(mesh);
     setRefCell(*p_, control_->dict(), pRefCell_, pRefValue_);
@@ -381,6 +384,7 @@ void Foam::incompressibleFlow::solveMomentum(fvVectorMatrix& UEqn)
     if (variable_.valid())
     {
         variable_->solve(UEqn, gradp);
+        variable_->setStress(*patchStress_);
     }
     else
     {
@@ -393,14 +397,36 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress()
 {
     if (variable_.valid())
     {
-        return variable_->stress(viscosity());
+        tmp<fvVectorMatrix> result(variable_->stress(viscosity()));
+        variable_->setStress(*patchStress_);
+        return result;
     }
-    const bool uniform = turbulence_->type() == "Stokes" && Newtonian();
+    const volScalarField nuEff(turbulence_->nuEff());
+    const surfaceScalarField onFaces(linearInterpolate(nuEff));
+    if (Newtonian())
+    {
+        patchStress_->set(onFaces, vector::zero);
+        return -fvm::laplacian(onFaces, *U_, "laplacian(nuEff,U)");
+    }
+    volTensorField gradU("gradU", fvc::grad(*U_));
+    setMirroredValues(gradU, *U_);
+    return viscousStress(onFaces, nuEff, gradU);
+}
 
-    return
-        uniform
-      ? -fvm::laplacian(turbulence_->nuEff(), *U_)
-      : turbulence_->divDevReff(*U_);
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::incompressibleFlow::viscousStress
+(
+    const surfaceScalarField& onFaces,
+    const volScalarField& nu,
+    const volTensorField& gradU
+)
+{
+    const surfaceVectorField rest
+    (
+        nu.mesh().Sf() & linearInterpolate(nu*dev2(T(gradU)))
+    );
+    patchStress_->set(onFaces, rest);
+    return -fvm::laplacian(onFaces, *U_, "laplacian(nuEff,U)") - fvc::div(rest);
 }
 
 

@@ -282,8 +282,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::rateViscosity::stress()
     {
         return flow_.viscousStress();
     }
-    const volScalarField& nu = flow_.nu();
-    volVectorField& U = flow_.U();
+    const volVectorField& U = flow_.U();
     autoPtr<volTensorField> gradU;
     withExtended
     (
@@ -294,9 +293,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::rateViscosity::stress()
         }
     );
     extend(*gradU);
-    return
-      - fvm::laplacian(onFaces()(), U, "laplacian(nuEff,U)")
-      - fvc::div(nu*dev2(T(*gradU)), "div((nuEff*dev2(T(grad(U)))))");
+    return flow_.viscousStress(onFaces()(), flow_.nu(), *gradU);
 }
 
 

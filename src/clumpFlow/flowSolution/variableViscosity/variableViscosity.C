@@ -23,11 +23,12 @@ Foam::variableViscosity::variableViscosity
     U_(U),
     fluids_(fluids),
     acceleration_(6),
+    onPatches_(Zero),
     nPasses_(0)
 {}
 
 
-Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
+Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling()
 {
     const fvMesh& mesh = U_.mesh();
 
@@ -39,11 +40,13 @@ Foam::tmp<Foam::volVectorField> Foam::variableViscosity::coupling() const
     (
         mesh.Sf() & linearInterpolate(T(gradU))
     );
-    return fvc::div
+    const surfaceVectorField rest
     (
         *excess_*transposed
       + fluids_.couple(*nu_*(mesh.magSf()*fvc::snGrad(U_) + transposed))
     );
+    onPatches_ = patchStress::sumOnPatches(rest);
+    return fvc::div(rest);
 }
 
 

@@ -178,8 +178,9 @@ Foam::vector Foam::functionObjects::momentumBalance::patchForces
             size += mag(carried + gSum(phi.boundaryField()[patchi])*mean);
         }
     }
-    size += mag(stress.explicitPart());
-    return result + stress.explicitPart();
+    const vector rest(stress.explicitPart());
+    size += mag(rest);
+    return result + rest;
 }
 
 

@@ -31,15 +31,18 @@ const char* insteadOf(const word& type)
         return "A clump off the axis would be a torus in the flow of a wedge: mesh the"
             " full circle.";
     }
-    if (type == "cyclic")
+    if (type == "cyclic" || type == "cyclicAMI")
     {
         return "Mesh the full circle.";
     }
-    if (type == "cyclicAMI")
-    {
-        return "Mesh the full circle; the patches between its parts may be cyclicAMI.";
-    }
     return "Make the faces of both sides match and use a pair of type cyclic.";
+}
+
+
+//- Whether clumps pass a patch of this class, unless it turns them
+bool isPeriodic(const polyPatch& pp)
+{
+    return isA<cyclicPolyPatch>(pp) || isType<cyclicAMIPolyPatch>(pp);
 }
 
 
@@ -183,7 +186,7 @@ void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
         if (patchi < n && pp.size())
         {
             faces[patchi] += pp.size();
-            if (split || isA<cyclicPolyPatch>(pp) || isType<cyclicAMIPolyPatch>(pp))
+            if (split || isPeriodic(pp))
             {
                 const auto& cpp = refCast<const coupledPolyPatch>(pp);
                 rotates[patchi] += cpp.parallel() ? 0 : 1;
@@ -197,8 +200,7 @@ void Foam::ghostExchange::checkPatches(const polyBoundaryMesh& patches)
     {
         const word& type = patches[patchi].type();
         const bool supported =
-            isA<cyclicPolyPatch>(patches[patchi])
-         || isType<cyclicAMIPolyPatch>(patches[patchi])
+            isPeriodic(patches[patchi])
           ? !rotates[patchi]
           : !polyPatch::constraintType(type)
          || symmetryPlanes::isOne(patches[patchi]);

@@ -56,16 +56,12 @@ public:
 
         // On the processor that has the middle
         const point centre(10e-6, 9e-6, 8e-6);
-        label owner = testMesh().findCell(centre) >= 0 ? Pstream::myProcNo() : -1;
-        reduce(owner, maxOp<label>());
-        const bool mine = owner == Pstream::myProcNo();
+        const label celli = testCell(centre);
+        const bool mine = celli >= 0;
         UList<clumpImage>& own = ghosts_.own(mine ? 1 : 0);
         if (mine)
         {
-            const clumpParcel p
-            (
-                testMesh(), centre, testMesh().findCell(centre), 0, s
-            );
+            const clumpParcel p(testMesh(), centre, celli, 0, s);
             own[0].set(p, types_[0], s, 0);
             own[0].fadeFactor = fadeFactor_;
             forAll(own[0].u, i)

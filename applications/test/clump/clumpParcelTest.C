@@ -31,7 +31,7 @@ void add
     const point& position
 )
 {
-    const label celli = testMesh().findCell(position);
+    const label celli = testCell(position);
     if (celli >= 0)
     {
         clumpParcel* p = new clumpParcel

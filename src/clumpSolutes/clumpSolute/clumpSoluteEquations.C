@@ -126,6 +126,8 @@ Foam::functionObjects::clumpSolute::outsideEquation()
     const dimensionedScalar dt("dt", dimTime, mesh_.time().deltaTValue());
     const dimensionedScalar D("D", dimArea/dimTime, diffusivity_);
 
+    // Mesh cells may have been filled, and a restart reads no values of processorCyclic
+    c.correctBoundaryConditions();
     volScalarField volume("volume", outside_->volume());
     volScalarField before("before", (*outerContent_));
     forAll(c, celli)
@@ -495,11 +497,14 @@ void Foam::functionObjects::clumpSolute::solve()
                 const soluteType& t = type(celli);
                 const scalar K = t.partition();
                 const scalar a = K*(A[celli] + reaction[celli]);
-                const scalar part = t.fixed() ? 1 : a/(a + k[celli]);
-                const scalar free =
-                    t.fixed() ? ci[celli]/K : (H[celli] + supply[celli])/a;
+
+                // a is zero where all that is inside has come through an open patch
+                const scalar whole = a + k[celli];
+                const scalar part = t.fixed() ? 1 : a/whole;
+                const scalar given =
+                    t.fixed() ? ci[celli]/K : (H[celli] + supply[celli])/whole;
                 outerEqn.diag()[celli] += V[celli]*k[celli]*part;
-                outerEqn.source()[celli] += V[celli]*k[celli]*part*free;
+                outerEqn.source()[celli] += V[celli]*k[celli]*given;
             }
         }
         outerEqn *= scale;

@@ -15,9 +15,12 @@ class CoveringArray:
     def __init__(self, factors, forbidden):
         self.factors = factors
         self.forbidden = [sets for sets, _ in forbidden]
+        self.of = {factor: [sets for sets in self.forbidden if factor in sets]
+                   for factor in factors}
         self.feasible = {
             pair for a, b in combinations(factors, 2) for x in factors[a] for y in factors[b]
-            for pair in [((a, x), (b, y))] if self.complete(dict(pair)) is not None}
+            for pair in [((a, x), (b, y))]
+            if self.allowed(dict(pair)) and self.complete(dict(pair)) is not None}
         self.rows = []
         self.fill(random.Random(1))
 
@@ -25,18 +28,28 @@ class CoveringArray:
         return not any(all(row.get(factor) in levels for factor, levels in sets.items())
                        for sets in self.forbidden)
 
+    def fits(self, row, factor, level):
+        """Whether an allowed row can have this level, too"""
+        return not any(level in sets[factor] and all(
+            row.get(other) in levels for other, levels in sets.items() if other != factor)
+            for sets in self.of[factor])
+
     def complete(self, row, order=None, choose=None):
-        """The first row that has these levels, in this order of the factors; None without one."""
-        if not self.allowed(row):
-            return None
+        """The first row that has these levels, which are allowed, in this order of the factors;
+        None without one."""
         rest = [factor for factor in order or self.factors if factor not in row]
         if not rest:
             return row
+        # A factor for which no level is left ends the search at once
+        if not all(any(self.fits(row, factor, level) for level in self.factors[factor])
+                   for factor in rest):
+            return None
         levels = self.factors[rest[0]]
         for level in choose(row, rest[0], levels) if choose else levels:
-            found = self.complete({**row, rest[0]: level}, rest[1:], choose)
-            if found is not None:
-                return found
+            if self.fits(row, rest[0], level):
+                found = self.complete({**row, rest[0]: level}, rest[1:], choose)
+                if found is not None:
+                    return found
         return None
 
     def pairs(self, row):

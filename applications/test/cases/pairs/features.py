@@ -38,8 +38,8 @@ class Scene:
         self.nudge = nudge*RADIUS*1e6   # of all clumps, along (1 1 1) [um]
         self.files = {}
         self.utilities = ["blockMesh"]  # in this order
-        self.patches = {}               # of each side, x0 to z1: "wall", "cyclic", "patch" or
-                                        # "symmetryPlane"
+        self.patches = {}               # of each side, x0 to z1: "wall", "cyclic", "cyclicAMI",
+                                        # "patch" or "symmetryPlane"
         self.shear = 0                  # x per y of the mesh
         self.density = float(row["density"])
         self.rho = RHO                  # of the fluid
@@ -61,7 +61,7 @@ class Scene:
         return 6*pi*NU*self.rho*RADIUS
 
     def periodic(self, direction):
-        return self.patches["xyz"[direction] + "0"] == "cyclic"
+        return self.patches["xyz"[direction] + "0"].startswith("cyclic")
 
     def common(self):
         for name in ("constant/clumpProperties", "system/fvSolution", "system/controlDict"):
@@ -200,17 +200,20 @@ def sides(x, y, z):
     """The kinds of both sides along each direction, or of the first and of the second one"""
     def write(scene):
         faces = ("0 4 7 3", "1 2 6 5", "0 1 5 4", "3 7 6 2", "0 3 2 1", "4 5 6 7")
-        U = {"wall": "type noSlip;", "patch": "type zeroGradient;", "cyclic": "type cyclic;"}
-        p = {"wall": "type zeroGradient;", "patch": "type fixedValue; value uniform 0;",
-             "cyclic": "type cyclic;"}
+        U = {"wall": "type noSlip;", "patch": "type zeroGradient;"}
+        p = {"wall": "type zeroGradient;", "patch": "type fixedValue; value uniform 0;"}
         for conditions in (U, p):
-            conditions["symmetryPlane"] = "type symmetryPlane;"
+            for same in ("cyclic", "cyclicAMI", "symmetryPlane"):
+                conditions[same] = f"type {same};"
         boundary = ""
         for i, face in enumerate(faces):
             kind, side, other = (x, y, z)[i//2], "xyz"[i//2] + "%d" % (i % 2), (i + 1) % 2
             kind = kind.split()[i % 2] if " " in kind else kind
             scene.patches[side] = kind
-            pair = f"neighbourPatch {side[0]}{other};" if kind == "cyclic" else ""
+            pair = f"neighbourPatch {side[0]}{other};" if scene.periodic(i//2) else ""
+            if kind == "cyclicAMI":
+                way = [(1 - 2*(i % 2))*LENGTHS[i//2]*1e-6*(j == i//2) for j in range(3)]
+                pair += "transform translational; separationVector (%g %g %g);" % tuple(way)
             boundary += f"{side} {{ type {kind}; {pair} faces (({face})); }}\n"
             scene.add("0/U", f"boundaryField {{ {side} {{ {U[kind]} }} }}")
             scene.add("0/p", f"boundaryField {{ {side} {{ {p[kind]} }} }}")
@@ -219,13 +222,24 @@ def sides(x, y, z):
                           f"surfaceFieldValue; {FIELD} regionType patch; name {side}; "
                           "fields (phi); operation sum; } }")
         scene.add("system/blockMeshDict", f"boundary ( {boundary} );")
-        pairs = " ".join(side for side, kind in scene.patches.items() if kind == "cyclic")
+        pairs = " ".join(side for side in scene.patches if scene.periodic("xyz".find(side[0])))
         if scene.row["mesh"] == "refined" and pairs:
             scene.add("system/decomposeParDict",
                       f"constraints {{ pairs {{ type preservePatches; patches ({pairs}); }} }}")
         if scene.row["mesh"] == "moving":
             zone(scene)
+        if x == "cyclicAMI":
+            onOneProcessor(scene, "x0 x1")
     return write
+
+
+def onOneProcessor(scene, patches):
+    """Patches across which OpenFOAM follows no particle to another processor"""
+    scene.add("system/jointDict", "actions ( { name joint; type faceSet; action new; "
+              f"source patchToFace; patches ({patches}); }} );")
+    scene.utilities += ["topoSet -dict system/jointDict"]
+    scene.add("system/decomposeParDict",
+              "constraints { joint { type singleProcessorFaceSets; sets ((joint -1)); } }")
 
 
 # What drives the flow
@@ -245,15 +259,19 @@ def gradient(mean):
     return write
 
 
-# Bonds between bodies and at walls, of long molecules
+# Attraction, and bonds of long molecules, between bodies and at walls
 
-def bonded(scene):
-    walls = " ".join(side for side, kind in scene.patches.items() if kind == "wall")
-    for name, patches in (("cells", ""), ("walls", f"patches ({walls});")):
-        if patches != "patches ();":
-            scene.add("constant/clumpProperties", "effects { contact on; } surfaceForces { "
-                      f"{name} {{ type bell; density 1e13; reach 8e-7; onRate 1000; offRate 500; "
-                      f"compliance 4e-10; stiffness 1e-4; {patches} }} }}")
+BELL = "bell; density 1e13; reach 8e-7; onRate 1000; offRate 500; compliance 4e-10; stiffness 1e-4"
+
+
+def attracts(law):
+    def write(scene):
+        walls = " ".join(side for side, kind in scene.patches.items() if kind == "wall")
+        for name, patches in (("cells", ""), ("walls", f"patches ({walls});")):
+            if patches != "patches ();":
+                scene.add("constant/clumpProperties", "effects { contact on; } surfaceForces { "
+                          f"{name} {{ type {law}; {patches} }} }}")
+    return write
 
 
 # Bodies: shape, half the height, and the places of two clumps [um]; spheres that are pulled; model
@@ -439,6 +457,7 @@ FEATURES = {
         "open": sides("patch", "wall", "wall"),
         "mixed": sides("patch", "wall", "cyclic"),
         "half": sides("cyclic", "symmetryPlane wall", "cyclic"),
+        "nonMatching": sides("cyclicAMI", "wall", "cyclic"),
     },
     # Blood, of the viscosity NU at the shear rates of these scenes
     "viscosity": {
@@ -464,7 +483,8 @@ FEATURES = {
         "rough": adds("constant/clumpProperties", "effects { contact on; } "
                       "contactModel { friction 0.5; rollingFriction 0.05; } "
                       "wallContactModel { friction 0.5; rollingFriction 0.05; }"),
-        "bonded": bonded,
+        "attracted": attracts("depletion; energy 1e-5"),
+        "bonded": attracts(BELL),
     },
     "gravity": {
         "off": nothing,
@@ -526,6 +546,8 @@ FEATURES = {
         "no": nothing,
         "inlet": injects("x0"),
         "bothEnds": injects("x0 x1"),
+        "again": adds("constant/clumpProperties", "injection { again { type recirculation; "
+                      "from (x1); patches (x0); seed 1; } }"),
     },
     "disturbance": {        # see runPairs.py
         "none": nothing,
@@ -539,22 +561,27 @@ FORBIDDEN = [
     ({"driving": ["gradient", "noMean"], "boundaries": ["closed", "open", "mixed"]},
      "only a flow that is periodic along x has a mean velocity to be held"),
     ({"driving": ["movingWall"], "boundaries": ["periodic"]}, "there is no wall"),
-    ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls", "half"]},
+    ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls", "half",
+                                           "nonMatching"]},
      "there is no inlet"),
-    ({"injection": ["inlet", "bothEnds"], "driving": ["none", "gradient", "noMean", "movingWall"]},
+    ({"injection": ["inlet", "bothEnds", "again"], "driving": ["none", "gradient", "noMean", "movingWall"]},
      "there is no inlet"),
     ({"conservation": ["one"], "bodies": ["spheres", "capsules", "solids"]},
      "a sphere has no shape to conserve, and a capsule keeps its volume"),
     ({"bonds": ["brittle"], "bodies": ["spheres", "capsules", "solids"]}, "there are no bonds"),
     ({"bodies": ["bouncing"], "walls": ["off"],
-      "boundaries": ["closed", "periodicWalls", "open", "mixed", "half"]},
+      "boundaries": ["closed", "periodicWalls", "open", "mixed", "half", "nonMatching"]},
      "nothing keeps them inside"),
     ({"boundaries": ["half"], "contact": ["off"]}, "nothing keeps them off the plane of symmetry"),
+    ({"boundaries": ["nonMatching"], "mesh": ["refined"]},
+     "the mesh is refined by faces that match"),
+    ({"boundaries": ["nonMatching"], "viscosity": ["blood", "powerLaw"]},
+     "gradients across faces that do not match are not those of the rate of strain"),
     ({"boundaries": ["half"], "contact": ["bonded"]}, "no bonds form with mirror images"),
     ({"contact": ["bonded"], "bodies": ["capsules", "capsuleAndRing", "solids"]},
      "only clumps of spheres have bonds"),
-    ({"contact": ["bonded"], "walls": ["off"]}, "attraction needs contact with walls"),
+    ({"contact": ["attracted", "bonded"], "walls": ["off"]}, "attraction needs contact with walls"),
     ({"outer": ["1"], "bodies": ["capsules", "capsuleAndRing", "solids"],
-      "contact": ["on", "lubricated", "rough"]},
+      "contact": ["on", "lubricated", "rough", "attracted"]},
      "membranes that may touch are refused with one outer corrector"),
 ]

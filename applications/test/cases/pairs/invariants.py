@@ -166,7 +166,9 @@ class Judge:
             self.check("bonds that did not break", not rows(case, "brokenBonds"), 0)
         if "patch" not in self.scene.patches.values():
             self.check("clumps that left without an open patch", left, 0)
-        if self.row["injection"] != "no":
+        if self.row["injection"] == "again":
+            self.check("clumps that entered but had not left", entered - left, 0)
+        elif self.row["injection"] != "no":
             self.check("clumps that did not enter", entered == 0, 0)
 
     def volumes(self, shape):

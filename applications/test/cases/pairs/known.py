@@ -53,4 +53,8 @@ FOUND = [
     {"mesh": "split", "boundaries": "mixed", "density": "300", "driving": "inlet",
      "outer": "3", "injection": "bothEnds", "bodies": "capsuleAndRing", "bonds": "brittle",
      "disturbance": "otherRanks"},
+    {"mesh": "sheared", "ranks": "2", "boundaries": "mixed", "viscosity": "powerLaw",
+     "density": "300", "contact": "on", "gravity": "on", "driving": "inlet", "step": "adjustable",
+     "rotation": "off", "bodies": "bouncing", "conservation": "one", "injection": "inlet",
+     "disturbance": "restart"},
 ]

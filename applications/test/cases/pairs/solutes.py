@@ -8,7 +8,8 @@ import re
 
 from clumps import table
 
-CONDITIONS = {"wall": "zeroGradient;", "cyclic": "cyclic;", "symmetryPlane": "symmetryPlane;",
+CONDITIONS = {"wall": "zeroGradient;", "cyclic": "cyclic;", "cyclicAMI": "cyclicAMI;",
+              "symmetryPlane": "symmetryPlane;",
               "patch": "inletOutlet; inletValue uniform 1; value uniform 1;"}
 
 

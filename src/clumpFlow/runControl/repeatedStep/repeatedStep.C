@@ -54,6 +54,13 @@ Foam::repeatedStep::repeatedStep
 
 void Foam::repeatedStep::begin()
 {
+    // Not sooner: what follows a step, as the function objects, has the length of that step
+    if (whole_ > 0 && !adjusts() && runTime_.value() > wholeEnds_ - 1e-6*whole_)
+    {
+        runTime_.setDeltaT(whole_, false);
+        whole_ = 0;
+        keep();
+    }
     start_.reset(new TimeState(runTime_));
     if (flow_.solved())
     {
@@ -120,16 +127,8 @@ bool Foam::repeatedStep::divide(const string& reason)
 void Foam::repeatedStep::accept()
 {
     ++nAccepted_;
-    const bool ends =
-        adjusts()
-      ? nAccepted_ > 1
-      : runTime_.value() > wholeEnds_ - 1e-6*whole_;
-    if (whole_ > 0 && ends)
+    if (whole_ > 0 && adjusts() && nAccepted_ > 1)
     {
-        if (!adjusts())
-        {
-            runTime_.setDeltaT(whole_, false);
-        }
         whole_ = 0;
         keep();
     }

@@ -50,7 +50,7 @@ class Scene:
         self.common()
         for factor, levels in FEATURES.items():
             levels[row[factor]](self)
-        if withSolutes:
+        if withSolutes and solutes.possible(self):
             solutes.add(self)
 
     def add(self, name, text):
@@ -564,7 +564,8 @@ FORBIDDEN = [
     ({"driving": ["inlet"], "boundaries": ["closed", "periodic", "periodicWalls", "half",
                                            "nonMatching"]},
      "there is no inlet"),
-    ({"injection": ["inlet", "bothEnds", "again"], "driving": ["none", "gradient", "noMean", "movingWall"]},
+    ({"injection": ["inlet", "bothEnds", "again"],
+      "driving": ["none", "gradient", "noMean", "movingWall"]},
      "there is no inlet"),
     ({"conservation": ["one"], "bodies": ["spheres", "capsules", "solids"]},
      "a sphere has no shape to conserve, and a capsule keeps its volume"),

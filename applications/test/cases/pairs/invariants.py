@@ -95,7 +95,8 @@ class Judge:
         self.unturned(shape)
         self.rebound(force)
         self.momentum(case, force, shape)
-        solutes.judge(self.check, case)
+        if solutes.possible(self.scene):
+            solutes.judge(self.check, case)
 
     def log(self, case):
         """Neither the watchdog nor the coupling complains; the coarse mesh is ours"""

@@ -13,6 +13,11 @@ CONDITIONS = {"wall": "zeroGradient;", "cyclic": "cyclic;", "cyclicAMI": "cyclic
               "patch": "inletOutlet; inletValue uniform 1; value uniform 1;"}
 
 
+def possible(scene):
+    """Fluxes of a solute need faces that match"""
+    return "cyclicAMI" not in scene.patches.values()
+
+
 def add(scene):
     types = sorted(set(re.findall(r"types \{ (\w+) \{", scene.files["constant/clumpProperties"])))
     inside = {"evenSolute": "permeability 1e-3; diffusivity 1e-9;",

@@ -12,9 +12,6 @@ KNOWN = [
     ({"outer": ["tolerance"], "dilation": ["no"], "density": ["300"]}, "warnings", 3,
      "the same of light bodies, one of which has its first step repeated; with a dilation that is"
      " not locked they take 4 to 10 outer correctors"),
-    ({"boundaries": ["nonMatching"], "mesh": ["moving"]}, "warnings", 10,
-     "OpenFOAM says that a particle that has passed a cyclicAMI patch is outside the mesh, when"
-     " rounding leaves it on the face, and puts it inside"),
     ({"outer": ["tolerance"], "dilation": ["no"], "viscosity": ["powerLaw", "blood"],
       "bodies": ["shell", "bouncing"]}, "warnings", 3,
      "the same at thirty times the viscosity, also of a Newtonian liquid; in one that thins,"

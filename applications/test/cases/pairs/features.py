@@ -222,7 +222,7 @@ def sides(x, y, z):
                           f"surfaceFieldValue; {FIELD} regionType patch; name {side}; "
                           "fields (phi); operation sum; } }")
         scene.add("system/blockMeshDict", f"boundary ( {boundary} );")
-        pairs = " ".join(side for side in scene.patches if scene.periodic("xyz".find(side[0])))
+        pairs = " ".join(side for side, kind in scene.patches.items() if kind == "cyclic")
         if scene.row["mesh"] == "refined" and pairs:
             scene.add("system/decomposeParDict",
                       f"constraints {{ pairs {{ type preservePatches; patches ({pairs}); }} }}")

@@ -12,11 +12,20 @@ bool Foam::repeatedStep::adjusts() const
 }
 
 
+bool Foam::repeatedStep::ended() const
+{
+    return
+        adjusts()
+      ? nAccepted_ > 1
+      : runTime_.value() > wholeEnds_ - 1e-6*whole_;
+}
+
+
 void Foam::repeatedStep::keep()
 {
     const word key("dividedStep");
     state_.remove(key);
-    if (whole_ > 0 && !adjusts())
+    if (whole_ > 0 && !adjusts() && !ended())
     {
         dictionary divided;
         divided.add("deltaT", runTime_.deltaTValue());
@@ -55,11 +64,13 @@ Foam::repeatedStep::repeatedStep
 void Foam::repeatedStep::begin()
 {
     // Not sooner: what follows a step, as the function objects, has the length of that step
-    if (whole_ > 0 && !adjusts() && runTime_.value() > wholeEnds_ - 1e-6*whole_)
+    if (whole_ > 0 && ended())
     {
-        runTime_.setDeltaT(whole_, false);
+        if (!adjusts())
+        {
+            runTime_.setDeltaT(whole_, false);
+        }
         whole_ = 0;
-        keep();
     }
     start_.reset(new TimeState(runTime_));
     if (flow_.solved())
@@ -127,11 +138,7 @@ bool Foam::repeatedStep::divide(const string& reason)
 void Foam::repeatedStep::accept()
 {
     ++nAccepted_;
-    if (whole_ > 0 && adjusts() && nAccepted_ > 1)
-    {
-        whole_ = 0;
-        keep();
-    }
+    keep();
 }
 
 

@@ -137,6 +137,7 @@ Foam::functionObjects::branchFlow::branchFlow
 bool Foam::functionObjects::branchFlow::read(const dictionary& dict)
 {
     checkEntries(dict, {"cloud"}, functionObjectEntries());
+    refuseSkippedSteps(dict);
     cloudName_ = deformableCloud::findName(mesh_, dict);
     return fvMeshFunctionObject::read(dict) && table_.read(dict);
 }

@@ -53,6 +53,7 @@ bool Foam::functionObjects::clumpSolute::read(const dictionary& dict)
         {"cloud", "field", "diffusivity", "tolerance", "types", "perClump"},
         functionObjectEntries()
     );
+    refuseSkippedSteps(dict);
     cloudName_ = deformableCloud::findName(mesh_, dict);
     diffusivity_ = getPositive(dict, "diffusivity");
     tolerance_ = getPositiveOrDefault(dict, "tolerance", 1e-8);

@@ -197,6 +197,21 @@ const Foam::wordList& Foam::functionObjectEntries()
 }
 
 
+void Foam::refuseSkippedSteps(const dictionary& dict)
+{
+    const word control(dict.getOrDefault<word>("executeControl", "timeStep"));
+    const label interval = dict.getOrDefault<label>("executeInterval", 1);
+    if (control != "timeStep" || interval > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << (control != "timeStep" ? "executeControl" : "executeInterval")
+            << "' leaves out steps, which would be missing in what is integrated over"
+            << " time. Remove executeControl and executeInterval; writeControl and"
+            << " writeInterval say how often a table gets a row." << exit(FatalIOError);
+    }
+}
+
+
 const Foam::wordList& Foam::fvOptionEntries()
 {
     static const wordList names

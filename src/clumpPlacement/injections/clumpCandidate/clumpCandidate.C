@@ -7,6 +7,7 @@
 #include "foamCompat.H"
 #include "PtrList.H"
 #include "surfaceDistance.H"
+#include <algorithm>
 
 namespace
 {
@@ -74,6 +75,28 @@ Foam::Istream& Foam::operator>>(Istream& is, clumpCandidate& c)
     return is
         >> c.typeId >> c.patchi >> c.position >> c.state >> c.followsFlow
         >> c.inwards >> c.index >> c.couplingFactor;
+}
+
+
+void Foam::gatherByIndex(List<clumpCandidate>& candidates)
+{
+    if (!returnReduce(candidates.size(), sumOp<label>()))
+    {
+        return;
+    }
+    reduceWhole
+    (
+        candidates,
+        [](List<clumpCandidate>& a, const List<clumpCandidate>& b) { a.append(b); }
+    );
+    std::sort
+    (
+        candidates.begin(), candidates.end(),
+        [](const clumpCandidate& a, const clumpCandidate& b)
+        {
+            return a.index < b.index;
+        }
+    );
 }
 
 

@@ -70,11 +70,12 @@ Foam::clumpCandidate Foam::injection::candidate
 (
     const label typeId,
     const point& position,
-    const quaternion& turn
+    const clumpState& shape
 ) const
 {
     const clumpType& type = site_.types[typeId];
-    clumpCandidate c(newClump(type, typeId, position, turn));
+    clumpCandidate c(newClump(type, typeId, position));
+    c.state = shape;
     if (dict_.found("velocity"))
     {
         c.setVelocity(type, velocity_);

@@ -129,6 +129,17 @@ Foam::label Foam::patchInjection::typeOf(const label number) const
 }
 
 
+Foam::clumpState Foam::patchInjection::shapeOf
+(
+    const label,
+    const clumpType& type,
+    const quaternion& turn
+) const
+{
+    return clumpState(type, turn);
+}
+
+
 Foam::scalarField Foam::patchInjection::chances() const
 {
     const polyMesh& mesh = site_.mesh;
@@ -287,6 +298,22 @@ void Foam::patchInjection::checkDemand(const scalar nDue)
 }
 
 
+void Foam::patchInjection::checkWaiting()
+{
+    const label nDue = nInjected() + nWaiting();
+    if (!steady() || behind_ || nWaiting() < 3 || nWaiting() < 0.1*nDue)
+    {
+        return;
+    }
+    behind_ = true;
+    IOWarningInFunction(dict_)
+        << "Injection " << name() << ": " << nWaiting() << " of the " << nDue << " clumps that"
+        << " were due until time " << site_.mesh.time().timeName() << " have found no free"
+        << " place and wait: fewer enter than is asked for. Use a preInlet or a wider inlet,"
+        << " or ask for fewer." << endl;
+}
+
+
 void Foam::patchInjection::checkWidth(const label nPlaces)
 {
     fits_ = fits_ || places_.nFitting() > 0;
@@ -342,6 +369,7 @@ void Foam::patchInjection::inject
         nAtOnce_ = max(nAtOnce_, sum + 1);
     }
     nAtOnce_ = sum + 1;
+    checkWaiting();
 }
 
 
@@ -375,7 +403,8 @@ Foam::label Foam::patchInjection::injectSome
     for (label n = 0; n < number; ++n)
     {
         const label typeId = typeOf(nInjected() + n);
-        const scalarField& radii = site_.types[typeId].radii();
+        const clumpType& type = site_.types[typeId];
+        const scalarField& radii = type.radii();
         for (label k = n*nTries_; k < (n + 1)*nTries_; ++k)
         {
             const patchLines::hit& h = hits[k];
@@ -384,7 +413,7 @@ Foam::label Foam::patchInjection::injectSome
             {
                 candidates.append
                 (
-                    candidate(typeId, h.x, turn)
+                    candidate(typeId, h.x, shapeOf(nInjected() + n, type, turn))
                 );
                 clumpCandidate& c = candidates.last();
                 c.patchi = h.patchi;

@@ -6,7 +6,6 @@
 #include "preInlet.H"
 #include "foamCompat.H"
 #include "ListOps.H"
-#include <algorithm>
 
 namespace Foam
 {
@@ -183,19 +182,7 @@ Foam::List<Foam::clumpCandidate> Foam::clumpInjections::preInlet::leaving
             result.append(c);
         }
     }
-    reduceWhole
-    (
-        result,
-        [](List<clumpCandidate>& a, const List<clumpCandidate>& b) { a.append(b); }
-    );
-    std::sort
-    (
-        result.begin(), result.end(),
-        [](const clumpCandidate& a, const clumpCandidate& b)
-        {
-            return a.index < b.index;
-        }
-    );
+    gatherByIndex(result);
     return result;
 }
 

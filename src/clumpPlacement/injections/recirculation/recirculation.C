@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "recirculation.H"
+#include "checkedEntries.H"
 
 namespace Foam
 {
@@ -38,21 +39,46 @@ Foam::clumpInjections::recirculation::recirculation
 }
 
 
-Foam::labelList Foam::clumpInjections::recirculation::left
+Foam::List<Foam::clumpCandidate> Foam::clumpInjections::recirculation::leaving
 (
     const clumpCount& count
 ) const
 {
-    labelList result(site_.types.size(), Zero);
-    forAll(result, typei)
+    List<clumpCandidate> result;
+    for (const clumpPassage& p : count.here())
     {
-        const clumpType& type = site_.types[typei];
-        for (const label patchi : from_)
+        const clumpType& type = site_.types[p.typeId];
+        if (!p.entered && from_.found(p.patchi) && !type.isPiece())
         {
-            const word& patch = site_.mesh.boundaryMesh()[patchi].name();
-            result[typei] += type.isPiece() ? 0 : count.left(patch, type.name());
+            clumpCandidate c;
+            c.typeId = p.typeId;
+            c.index = p.id;
+            c.state.x = p.state.x - p.state.centre(type);
+            c.state.q = p.state.q;
+            c.state.broken = p.state.broken;
+            result.append(c);
         }
     }
+    gatherByIndex(result);
+    return result;
+}
+
+
+Foam::clumpState Foam::clumpInjections::recirculation::shapeOf
+(
+    const label number,
+    const clumpType& type,
+    const quaternion& turn
+) const
+{
+    const clumpCandidate& c = waiting_[number - first_];
+    clumpState result(type, turn);
+    forAll(result.x, i)
+    {
+        result.x[i] = turn.transform(c.state.x[i]);
+        result.q[i] = turn*c.state.q[i];
+    }
+    result.broken = c.state.broken;
     return result;
 }
 
@@ -64,25 +90,16 @@ Foam::scalar Foam::clumpInjections::recirculation::due
     const scalar
 )
 {
-    DynamicList<label> waiting;
+    DynamicList<clumpCandidate> waiting;
     for (label k = nInjected() - first_; k < waiting_.size(); ++k)
     {
         waiting.append(waiting_[k]);
     }
     first_ = nInjected();
-
-    // Types of pieces come during the run
-    const labelList now(left(count));
-    const bool counts = counted_.size() && activeTime() > 0;
-    counted_.setSize(now.size(), 0);
-    forAll(now, typei)
+    if (activeTime() > 0)
     {
-        for (label k = counted_[typei]; counts && k < now[typei]; ++k)
-        {
-            waiting.append(typei);
-        }
+        waiting.append(leaving(count));
     }
-    counted_ = now;
     waiting_.transfer(waiting);
     return nInjected() + waiting_.size();
 }
@@ -91,18 +108,22 @@ Foam::scalar Foam::clumpInjections::recirculation::due
 void Foam::clumpInjections::recirculation::readState(const dictionary& state)
 {
     patchInjection::readState(state);
-    const dictionary& counted = state.subDict("counted");
-    counted_.setSize(site_.types.size());
-    forAll(counted_, typei)
-    {
-        counted_[typei] =
-            counted.getOrDefault<label>(site_.types[typei].name(), 0);
-    }
     first_ = nInjected();
     waiting_.clear();
+    const dictionary& shapes = state.subOrEmptyDict("shapes");
     for (const word& name : state.get<wordList>("waiting"))
     {
-        waiting_.append(site_.typeIds[name]);
+        clumpCandidate c;
+        c.typeId = site_.typeIds[name];
+        c.state = clumpState(site_.types[c.typeId]);
+        const word shape("shape" + Foam::name(waiting_.size()));
+        if (shapes.found(shape))
+        {
+            ITstream& is = shapes.lookup(shape);
+            is.format(IOstream::ASCII);
+            is >> c.state;
+        }
+        waiting_.append(c);
     }
 }
 
@@ -110,17 +131,14 @@ void Foam::clumpInjections::recirculation::readState(const dictionary& state)
 void Foam::clumpInjections::recirculation::writeState(dictionary& state) const
 {
     patchInjection::writeState(state);
-    dictionary counted;
-    forAll(counted_, typei)
-    {
-        counted.set(site_.types[typei].name(), counted_[typei]);
-    }
-    state.set("counted", counted);
-
     wordList waiting;
+    dictionary shapes;
     for (label k = nInjected() - first_; k < waiting_.size(); ++k)
     {
-        waiting.append(site_.types[waiting_[k]].name());
+        const clumpCandidate& c = waiting_[k];
+        setExact(shapes, "shape" + Foam::name(waiting.size()), c.state);
+        waiting.append(site_.types[c.typeId].name());
     }
     state.set("waiting", waiting);
+    state.set("shapes", shapes);
 }

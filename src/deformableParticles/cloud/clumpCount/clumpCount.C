@@ -131,7 +131,7 @@ void Foam::clumpCount::add
     (
         {
             entered, p.origId(), p.typeId(), patchi, p.centre(type),
-            p.state().velocity(type)
+            p.state().velocity(type), entered ? clumpState() : p.state()
         }
     );
 }
@@ -174,14 +174,6 @@ void Foam::clumpCount::announce()
     }
     Info<< "Clumps: " << nInside_ << " inside, " << entered() << " entered, "
         << left() << " left" << endl;
-}
-
-
-Foam::label Foam::clumpCount::left(const word& patch, const word& type) const
-{
-    return
-        file_.subOrEmptyDict("left").subOrEmptyDict(patch)
-       .getOrDefault<label>(type, 0);
 }
 
 

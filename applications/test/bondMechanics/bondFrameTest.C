@@ -268,3 +268,31 @@ TEST_CASE("bonds: the tangent is the derivative of the forces", "[bonds][serial]
     const Eigen::MatrixXd symmetric(0.5*(D + D.transpose()));
     CHECK((K - symmetric).norm() < 1e-6*K.norm());
 }
+
+
+TEST_CASE("bonds: gradients with respect to rotation vectors", "[bonds][serial]")
+{
+    Random random(3);
+    const auto direction = [&]()
+    {
+        return 2*random.sample01<vector>() - vector::one;
+    };
+
+    for (const scalar angle : {1e-8, 0.003, 0.00999, 0.0101, 0.0999, 0.101, 1.0, 3.0})
+    {
+        vector phi(direction());
+        phi *= angle/mag(phi);
+        const vector v(direction());
+        CHECK(mag(rotationGradient(phi, rotationVectorGradient(phi, v)) - v) < 1e-10);
+
+        // v.(change of the rotation) by a change e of phi, beside the gradient
+        const scalar h = 1e-5;
+        const vector e(h*direction());
+        const vector change
+        (
+            rotationVector(rotation(phi + e)*conjugate(rotation(phi - e)))/2
+        );
+        const scalar expected = rotationVectorGradient(phi, v) & e;
+        CHECK(std::abs((v & change) - expected) < 1e-8*h);
+    }
+}

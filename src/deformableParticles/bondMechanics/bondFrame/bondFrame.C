@@ -212,3 +212,16 @@ Foam::vector Foam::rotationGradient(const vector& phi, const vector& v)
 
     return v + 0.5*pv + c*(phi ^ pv);
 }
+
+
+Foam::vector Foam::rotationVectorGradient(const vector& phi, const vector& v)
+{
+    const scalar a2 = magSqr(phi);
+    const scalar a = Foam::sqrt(a2);
+    const bool small = a2 < 1e-4;
+    const scalar f = small ? 0.5 - a2/24 : (1 - Foam::cos(a))/a2;
+    const scalar g = small ? 1.0/6 - a2/120 : (a - Foam::sin(a))/(a*a2);
+    const vector pv(phi ^ v);
+
+    return v - f*pv + g*(phi ^ pv);
+}

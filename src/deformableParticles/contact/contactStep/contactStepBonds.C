@@ -10,26 +10,6 @@
 #include "wallDisplacement.H"
 #include <map>
 
-namespace
-{
-
-using namespace Foam;
-
-//- The derivative by the rotation vector phi of what has the derivative v by a small
-//  further rotation: J^T v with the left Jacobian J of the exponential map
-vector byRotationVector(const vector& phi, const vector& v)
-{
-    const scalar a2 = magSqr(phi);
-    const scalar a = Foam::sqrt(a2);
-    const bool small = a2 < 1e-4;
-    const scalar f = small ? 0.5 - a2/24 : (1 - Foam::cos(a))/a2;
-    const scalar g = small ? 1.0/6 - a2/120 : (a - Foam::sin(a))/(a*a2);
-    const vector once(phi ^ v);
-    return v - f*once + g*(phi ^ once);
-}
-
-}
-
 
 void Foam::contactStep::setBonds()
 {
@@ -208,7 +188,7 @@ void Foam::contactStep::addBonds(const label m)
         energies_[m] += (both ? 0.5 : 1)*e.spring.energy();
         forces_[m][e.i] += e.spring.force();
         torques_[m][e.i] +=
-            byRotationVector(turned_[a][e.i], e.spring.torque());
+            rotationVectorGradient(turned_[a][e.i], e.spring.torque());
     }
 }
 

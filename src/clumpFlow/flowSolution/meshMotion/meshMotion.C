@@ -23,6 +23,18 @@ using namespace Foam;
 //- Part of its radius by which a wall that moves may be pressed into a sphere
 constexpr scalar deepest = 0.5;
 
+//- Largest velocity of the points of a patch on this processor [m/s]
+scalar speedOfPoints(const polyPatch& patch)
+{
+    const polyMesh& mesh = patch.boundaryMesh().mesh();
+    scalar way = 0;
+    for (const label pointi : patch.meshPoints())
+    {
+        way = max(way, mag(mesh.points()[pointi] - mesh.oldPoints()[pointi]));
+    }
+    return way/mesh.time().deltaTValue();
+}
+
 //- fvMesh inherits several functions type()
 const word& polyMeshType(const polyMesh& mesh)
 {
@@ -154,8 +166,12 @@ void Foam::meshMotion::checkFluxes() const
         }
         const scalarField flux(patch.Sf() & Up);
         const scalarField& motion = swept.boundaryField()[patchi];
-        // A wall that turns sweeps nothing but rounding
-        const scalarField size(max(mag(motion), patch.magSf()*mag(Up)));
+        // A wall that turns, or along which points slide, sweeps nothing but rounding
+        const scalar speed = speedOfPoints(patch.patch());
+        const scalarField size
+        (
+            max(mag(motion), patch.magSf()*max(mag(Up), speed))
+        );
         in += ::Foam::sum(size);
         sum += ::Foam::sum(flux);
         open = open || !Up.fixesValue() || Up.assignable();
@@ -169,7 +185,8 @@ void Foam::meshMotion::checkFluxes() const
                 << "The wall patch " << patch.name() << " moves, but U there ("
                 << Up.type() << ") is not its velocity: fluid would flow through the wall."
                 << nl << "    Set { type movingWallVelocity; value uniform (0 0 0); } for"
-                << " this patch in U." << exit(FatalError);
+                << " this patch in U. (A wall in which points only slide along, such as"
+                << " those beside a piston, may keep noSlip.)" << exit(FatalError);
         }
     }
     reduce(in, sumOp<scalar>());

@@ -75,7 +75,8 @@ void Foam::wallContacts::updateMotions
         {
             continue;
         }
-        if (pointsMove(mesh_.boundaryMesh()[patchi]))
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        if (pointsMove(patch) && !pointsSlide(patch))
         {
             // Each contact has the displacement of its wall
             motions_[patchi] = wallMotion();

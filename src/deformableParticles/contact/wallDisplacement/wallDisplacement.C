@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallDisplacement.H"
+#include "movingWallVelocityFvPatchVectorField.H"
 #include "polyMesh.H"
+#include "volFields.H"
 #include "wallContacts.H"
 #include "wallPolyPatch.H"
 
@@ -20,6 +22,34 @@ bool Foam::pointsMove(const polyPatch& patch)
         }
     }
     return returnReduce(move, orOp<bool>());
+}
+
+
+bool Foam::pointsSlide(const polyPatch& patch)
+{
+    const polyMesh& mesh = patch.boundaryMesh().mesh();
+    const auto* U = mesh.findObject<volVectorField>("U");
+    if
+    (
+        !U || !pointsMove(patch)
+     || isA<movingWallVelocityFvPatchVectorField>(U->boundaryField()[patch.index()])
+    )
+    {
+        return false;
+    }
+    scalar swept = 0;
+    scalar way = 0;
+    for (const face& f : patch)
+    {
+        const scalar volume = mag(f.sweptVol(mesh.oldPoints(), mesh.points()));
+        swept = max(swept, volume/f.mag(mesh.points()));
+        for (const label pointi : f)
+        {
+            way = max(way, mag(mesh.points()[pointi] - mesh.oldPoints()[pointi]));
+        }
+    }
+    return
+        returnReduce(swept, maxOp<scalar>()) < 1e-6*returnReduce(way, maxOp<scalar>());
 }
 
 

@@ -6,6 +6,7 @@
 #include "wallSurface.H"
 #include "faceTriangles.H"
 #include "foamCompat.H"
+#include "wallDisplacement.H"
 #include "wallPolyPatch.H"
 #include "PstreamBuffers.H"
 #include "ListOps.H"
@@ -30,6 +31,10 @@ Foam::wallSurface::wallSurface
         {
             walls.append(pp);
             patches.append(labelList(pp.size(), pp.index()));
+            if (mesh.moving() && pointsSlide(pp))
+            {
+                sliding_.insert(pp.index());
+            }
         }
     }
     collect
@@ -288,9 +293,12 @@ Foam::vector Foam::wallSurface::moved(const label t, const point& at) const
     }
     const labelledTri& corner = (*surface_)[t];
     const barycentric2D part(triangle(t).pointToBarycentric(at));
-    return
+    const vector way
+    (
         part.a()*moves_[corner[0]] + part.b()*moves_[corner[1]]
-      + part.c()*moves_[corner[2]];
+      + part.c()*moves_[corner[2]]
+    );
+    return sliding_.found(patch(t)) ? vector((way & out_[t])*out_[t]) : way;
 }
 
 

@@ -37,8 +37,9 @@ Foam::functionObjects::clumpForce::header() const
        .addVector("F", "N").addVector("T", "N.m")
        .addVector("", "m").addVector("U", "m/s")
        .add("drag", "N").add("lift", "N")
-       .explain("Fx Fy Fz Tx Ty Tz", "force of the fluid without that of the pressure at"
-            " rest (buoyancy), and its torque about the centre of mass")
+       .explain("Fx Fy Fz Tx Ty Tz", "force of the fluid outside in the last step, without"
+            " that of the pressure at rest (buoyancy), and its torque about the centre of"
+            " mass")
        .explain("x y z Ux Uy Uz", "position and velocity of the centre of mass")
        .explain("drag lift", "force along flow and gradient. The nodes of a membrane have"
             " no inertia: F balances loads, weight and contacts");
@@ -51,15 +52,11 @@ Foam::string Foam::functionObjects::clumpForce::row
     const clumpType& type
 ) const
 {
-    const point centre(p.state().centre(type));
-    vector torque(sum(p.fluidTorques()));
-    forAll(p.fluidForces(), i)
-    {
-        torque += (p.state().x[i] - centre) ^ p.fluidForces()[i];
-    }
-
-    const vector force(sum(p.fluidForces()));
+    const vector& force = p.surfaceForce();
     return
-        columns({force, torque, p.unwrappedCentre(type), p.state().velocity(type)})
+        columns
+        ({
+            force, p.surfaceTorque(), p.unwrappedCentre(type), p.state().velocity(type)
+        })
       + columns({force & flow(), force & gradient()});
 }

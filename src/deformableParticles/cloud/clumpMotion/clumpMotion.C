@@ -409,6 +409,10 @@ void Foam::clumpMotion::accept(const vector& flowChange)
                 }
             );
         }
+        if (coupling_)
+        {
+            coupling_->setSurfaceForce(p, dt);
+        }
         p.accept(type(p), dt*clumps_.meshVelocity(), flowChange);
     }
     contacting_.forget();

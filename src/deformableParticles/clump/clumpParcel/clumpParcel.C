@@ -171,7 +171,8 @@ Foam::clumpParcel::clumpParcel
     {
         is  >> typeId_ >> pieceOf_ >> displacement_ >> target_ >> offset_ >> sinceMet_
             >> acceleration_ >> accelerationBefore_ >> state_
-            >> fluidForces_ >> fluidTorques_ >> couplingFactor_ >> overshoots_;
+            >> fluidForces_ >> fluidTorques_ >> surfaceForce_ >> surfaceTorque_
+            >> couplingFactor_ >> overshoots_;
     }
     is.check(FUNCTION_NAME);
 }
@@ -191,6 +192,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const clumpParcel& p)
         << token::SPACE << p.state_
         << token::SPACE << p.fluidForces_
         << token::SPACE << p.fluidTorques_
+        << token::SPACE << p.surfaceForce_
+        << token::SPACE << p.surfaceTorque_
         << token::SPACE << p.couplingFactor_
         << token::SPACE << p.overshoots_;
     os.check(FUNCTION_NAME);

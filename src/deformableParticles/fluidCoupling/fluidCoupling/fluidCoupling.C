@@ -305,6 +305,35 @@ void Foam::fluidCoupling::addForces
 }
 
 
+void Foam::fluidCoupling::setSurfaceForce(clumpParcel& p, const scalar dt) const
+{
+    const clumpType& type = types_[p.typeId()];
+    const clumpState& end = p.step().end;
+    externalForces ext(end.x.size());
+    if (type.ofSpheres())
+    {
+        addForces(p, dt, ext);
+    }
+    else
+    {
+        ext.f = p.fluidForces();
+        ext.t = p.fluidTorques();
+    }
+    if (!twoWay())
+    {
+        // The drag follows the velocity within the step
+        ext.f -= ext.zeta*(end.u - ext.imposedU);
+    }
+    const point centre(end.centre(type));
+    p.surfaceForce() = sum(ext.f);
+    p.surfaceTorque() = sum(ext.t);
+    forAll(ext.f, i)
+    {
+        p.surfaceTorque() += (end.x[i] - centre) ^ ext.f[i];
+    }
+}
+
+
 bool Foam::fluidCoupling::turn
 (
     clumpParcel& p,

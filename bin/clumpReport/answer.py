@@ -32,7 +32,7 @@ WORDS = {
 PROFILE = {"H": "haematocrit", "U": "velocity of fluid and clumps", "Uc": "velocity of the clumps",
            "n": "number of clumps"}
 # Of a branch, from its totals
-BRANCH = {"flow": "part of the blood", "clumps": "part of the clumps",
+BRANCH = {"flow": "part of the blood", "clumps": "part of the volume of the clumps",
           "Hd": "discharge haematocrit Hd", "skimming": "Hd over that of the feed",
           "residence": "residence time"}
 

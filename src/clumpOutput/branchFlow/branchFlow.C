@@ -324,9 +324,9 @@ Foam::functionObjects::branchFlow::header() const
        .explain("Q V", "volume flux of fluid and clumps, and its sum over time")
        .explain("Vc entered left", "volume of the clumps that have left less that of those"
             " that have entered, and the numbers of both")
-       .explain("Hd", "discharge haematocrit Vc/V")
-       .explain("flow clumps", "parts of the volume and of the clumps, among the patches"
-            " through which more leaves than enters")
+       .explain("Hd", "discharge haematocrit Vc/V, with the clumps of all types")
+       .explain("flow clumps", "parts of V and of the volume Vc of the clumps, among the"
+            " patches through which more leaves than enters")
        .explain("skimming", "Hd over that of the patches through which more enters")
        .explain("residence residenceDeviation timed", "mean and standard deviation of the"
             " time from entering to leaving here, and the number of clumps with such a time")
@@ -357,7 +357,7 @@ void Foam::functionObjects::branchFlow::writeRow
     const scalarList ratios
     ({
         b.haematocrit(),
-        leaves ? b.volume/out.volume : notANumber,
+        leaves && out.volume > 0 ? b.volume/out.volume : notANumber,
         leaves && out.clumps > 0 ? b.clumps/out.clumps : notANumber,
         leaves && in.clumps < 0 ? b.haematocrit()/in.haematocrit() : notANumber,
         b.timed ? b.residence : notANumber,

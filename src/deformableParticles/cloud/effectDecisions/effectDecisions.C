@@ -6,6 +6,7 @@
 #include "effectDecisions.H"
 #include "checkedEntries.H"
 #include "clumpTotals.H"
+#include "symmetryPlanes.H"
 
 Foam::effectDecisions::effectDecisions
 (
@@ -27,6 +28,7 @@ void Foam::effectDecisions::refuseIdle(const bool implicit) const
 {
     const dictionary& dict = clumps_.properties();
     effects_.require("gravity", mag(clumps_.g()) > 0, "constant/g is absent or zero");
+    warnOfMirroredWeight();
     effects_.require
     (
         "contact", contacts_.active(), "the type of contactModel is none"
@@ -86,6 +88,40 @@ void Foam::effectDecisions::refuseIdle(const bool implicit) const
 }
 
 
+Foam::scalar Foam::effectDecisions::weight() const
+{
+    const scalar rho = clumps_.fluidDensity();
+    scalar result = 0;
+    for (const clumpType& ct : clumps_.types())
+    {
+        result = max(result, mag(ct.mass() - rho*ct.volume())/ct.mass());
+    }
+    return mag(clumps_.g()) > 0 && result > 1e-6 ? result : 0;
+}
+
+
+void Foam::effectDecisions::warnOfMirroredWeight() const
+{
+    const vector& g = clumps_.g();
+    if (effects_.switchedOff("gravity") || weight() == 0)
+    {
+        return;
+    }
+    const polyBoundaryMesh& patches = clumps_.mesh().boundaryMesh();
+    const symmetryPlanes symmetric(patches);
+    for (const symmetryPlanes::plane& plane : symmetric.planes())
+    {
+        if (mag(g & plane.n) > 1e-6*mag(g))
+        {
+            WarningInFunction
+                << "Gravity " << g << " (constant/g) acts across the plane of symmetry "
+                << patches[plane.patch].name() << ": half a device stands for a whole one in"
+                << " which the weight of the mirror images is mirrored, too." << endl;
+        }
+    }
+}
+
+
 void Foam::effectDecisions::decide()
 {
     decideGravity();
@@ -101,19 +137,12 @@ void Foam::effectDecisions::decideGravity()
     {
         return;
     }
-    const vector& g = clumps_.g();
-    const scalar rho = clumps_.fluidDensity();
-    scalar excess = 0;
-    for (const clumpType& ct : clumps_.types())
-    {
-        excess = max(excess, mag(ct.mass() - rho*ct.volume())/ct.mass());
-    }
-    const bool on = mag(g) > 0 && excess > 1e-6;
+    const bool on = weight() > 0;
     effects_.decide
     (
         "gravity",
         on,
-        mag(g) == 0 ? "constant/g is absent or zero"
+        mag(clumps_.g()) == 0 ? "constant/g is absent or zero"
       : on ? "the densities of clumps and fluid differ"
       : "the densities of clumps and fluid are equal"
     );

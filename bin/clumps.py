@@ -11,7 +11,8 @@ This file needs numpy alone and can be copied. As a command, with clumpArguments
 
     clumps.py show <case>
     clumps.py table [-last] [-clump N] [-type NAME] <case> <table>:<column> ...
-    clumps.py means [-from T] [-to T] [-blocks N] [-by COLUMN] <case> <table> [<column> ...]
+    clumps.py means [-from T] [-to T] [-blocks N] [-type NAME] [-by COLUMN] <case> <table>
+                    [<column> ...]
     clumps.py diffusion [-from T] [-to T] [-direction x|y|z] [-type NAME] <case>
 
     clumps.py table -last -clump 0 . clumpForce:time Fx clumpShape:L1
@@ -24,9 +25,10 @@ with -last the last one of them. The columns may come from tables that have the 
 column without a table is of the one before.
 
 means prints means over time and their standard errors; without columns of all that hold numbers.
--by averages the rows of every value of a column separately, the bins of a profile for example. The
-interval from T to T (default: all rows) is divided into N blocks of equal length (default 8). The
-mean is that of all rows, its standard error
+-by averages the rows of every value of a column separately, the bins of a profile for example; rows
+of clumps of several types need -type NAME or -by type. The interval from T to T (default: all rows)
+is divided into N blocks of equal length (default 8). The mean is that of all rows, its standard
+error
 
     error = sqrt(sum_k (m_k - m)^2/(N (N - 1)))
 
@@ -123,12 +125,15 @@ def own(file_lines):
 
 
 def foreign(file_lines):
-    """Rows of a table of OpenFOAM."""
+    """Rows of a table of OpenFOAM; those of probes have their numbers in the line above."""
     names = []
     for line in file_lines:
         if line.startswith("#"):
+            above = names
             names = [name.strip() for name in line.lstrip("# ").split("\t")]
             names = ["time" if name == "Time" else name for name in names]
+            if names == ["time"] and above[0].startswith("Probe "):
+                names += [f"Probe {number}" for number in above[0].split()[1:]]
             continue
         row = {}
         for name, cell in zip(names, re.findall(r"\([^)]*\)|[^\s()]+", line)):
@@ -143,8 +148,8 @@ def parse(path):
     """Rows of one file as dictionaries of texts, and the units of the columns that have one."""
     with open(path) as file:
         lines = file.readlines()
-    data = [line for line in lines if not line.startswith("#")]
-    named = data and isinstance(number(data[0].split("\t")[0].strip()), str)
+    data = [line for line in lines if line.strip() and not line.startswith("#")]
+    named = data and isinstance(number(data[0].split()[0]), str)
     comments = [line for line in lines if line.startswith("#")] if named else []
     units = dict(re.findall(r"(\w+)\[([^]]*)\]", comments[-1])) if comments else {}
     return list(own(lines) if named else foreign(lines)), units
@@ -175,7 +180,8 @@ def tableNames(case="."):
 
 
 def texts(case, name, **wanted):
-    """Rows of a table as texts, of all its starts; wanted: clump=0, type="bead". And the units."""
+    """Rows of a table as texts, of all its starts; wanted: clump=0, type="bead", which may have
+    sizes (bead_1, bead_2 ...). And the units."""
     folder = os.path.join(case, "postProcessing", name)
     rows, later, units = [], [], {}
     if not os.path.isdir(folder):
@@ -202,7 +208,12 @@ def texts(case, name, **wanted):
         if rows and key not in rows[0]:
             raise CaseError(
                 f"The table {name} in {case} has no column {key}: its rows are not of clumps")
-        rows = [r for r in rows if r[key] == str(value)]
+        there = {r[key]: 0 for r in rows}
+        rows = [r for r in rows if r[key] == str(value)] or \
+            [r for r in rows if key == "type" and re.fullmatch(re.escape(value) + r"_\d+", r[key])]
+        if there and not rows:
+            raise CaseError(f"The table {name} in {case} has no row of {key} {value}; there are "
+                            + ", ".join(there))
     return rows, units
 
 
@@ -248,16 +259,21 @@ def statistics(rows, column, blocks):
             blockError(times, values, blocks//2))
 
 
-def averages(case, name, columns=(), first=-math.inf, last=math.inf, blocks=8, by=None):
-    """[(value of by, column, mean, error, error of half)] of a table of a case."""
-    whole = table(case, name)
+def averages(case, name, columns=(), first=-math.inf, last=math.inf, blocks=8, by=None, **wanted):
+    """[(value of by, column, mean, error, error of half)] of a table of a case, see texts. Rows of
+    several types have no common mean."""
+    whole = table(case, name, **wanted)
     rows = [row for row in whole if first <= row["time"] <= last]
+    types = sorted({row["type"] for row in rows if "type" in row})
+    if len(types) > 1 and not by and not wanted:
+        raise CaseError(f"The rows of {name} in {case} are of the types {', '.join(types)}: choose"
+                        " one, or group them by type")
     if not rows:
         raise CaseError(f"{case}: no row of {name} in the interval")
     for column in [*columns, *([by] if by else [])]:
         whole[column]       # fails with the names there are
     columns = columns or [key for key, value in rows[0].items()
-                          if isinstance(value, float) and key not in ("time", by)]
+                          if isinstance(value, float) and key not in ("time", "clump", by)]
     groups = {}
     for row in rows:
         groups.setdefault(row[by] if by else None, []).append(row)
@@ -570,11 +586,12 @@ class Run:
         counts = sorted({max(1, round((len(time) - 1)*k/32)) for k in range(1, 17)})
         return Diffusion(np.array(counts)*step, np.array([msd(x, n) for n in counts]), D, error)
 
-    def means(self, name, first=-math.inf, last=math.inf, blocks=8):
-        """Mean over time and its standard error of every column of numbers of a table, by name. The
-        error is the larger one of those with so many blocks of time and with half of them."""
+    def means(self, name, first=-math.inf, last=math.inf, blocks=8, **wanted):
+        """Mean over time and its standard error of every column of numbers of a table, by name, of
+        a clump (clump=0) or a type (type="bead"). The error is the larger one of those with so many
+        blocks of time and with half of them."""
         return {column: (mean, np.fmax(*errors)) for _, column, mean, *errors in
-                averages(self.case, name, (), first, last, blocks)}
+                averages(self.case, name, (), first, last, blocks, **wanted)}
 
     def profile(self, column, first=-math.inf, last=math.inf, name="clumpProfiles"):
         """Positions of the bins [m], means over time of a column and their standard errors, those
@@ -630,7 +647,7 @@ def printTable(given, wrong):
 def printMeans(given, _):
     by = given.by
     found = averages(given.case, given.table, given.columns, given.first, given.to, given.blocks,
-                     by)
+                     by, **({"type": given.type} if given.type else {}))
     if any(math.isnan(error) and not math.isnan(middle) for _, _, middle, error, _ in found):
         print(f"Without an error (nan): fewer rows than the {given.blocks} blocks, or one of "
               "them is empty; see -blocks", file=sys.stderr)
@@ -675,7 +692,7 @@ def main(arguments):
     one.add_argument("-last", action="store_true")
     one.add_argument("-clump")
     one.add_argument("columns", nargs="+", metavar="table:column")
-    one = command("means", printMeans, "interval")
+    one = command("means", printMeans, "type", "interval")
     one.add_argument("-blocks", type=int, choices=range(2, 10001), metavar="2 to 10000", default=8)
     one.add_argument("-by")
     one.add_argument("table")

@@ -401,6 +401,13 @@ int main(int argc, char* argv[])
     {
         Info<< "unstable states " << unstable << " of "
             << nStates*solution.nVariants() << " in curve.csv" << nl;
+        if (unstable)
+        {
+            WarningInFunction
+                << "In a case, the clump buckles out of these states and leaves the curve. A"
+                << " larger torsional or bending stiffness in the clump type to start with"
+                << " keeps it in them." << endl;
+        }
     }
     Info<< "volume [m3]";
     for (label v = 0; v < solution.nVariants(); ++v)

@@ -116,7 +116,8 @@ Foam::functionObjects::clumpShape::header() const
        .add("TaylorDeformation").add("inclination", "rad").add("phase", "rad")
        .add("area", "m2").add("volume", "m3")
        .explain("Lx Ly Lz L1 L2 L3", "extents along the coordinate axes, and along the"
-            " principal axes, the one with the largest second moment first")
+            " principal axes, the one with the largest second moment first; L1, L2 and L3 of"
+            " a membrane are the axes of the ellipsoid with the second moments of its inside")
        .explain("axisx axisy axisz omegax omegay omegaz", "longest principal axis, and"
             " angular velocity")
        .explain("TaylorDeformation inclination", "|L1 - L2|/(L1 + L2), and angle of the"

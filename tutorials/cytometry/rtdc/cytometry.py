@@ -29,6 +29,8 @@ print(f"area {last['area']*1e12:.1f} um2, deformation {last['deformation']:.4f},
       f"run before {before['deformation']:.4f}"
       f"{': not steady, take a later endTime' if rising else ''}")
 print(f"inertia ratio {last['inertiaRatio']:.3f}")
+if last["hullArea"] > 1.01*last["area"]:
+    print("The outline is not convex: the nodes have lost the steady shape, see doc/cytometry.md")
 
 # %% [markdown]
 # ## The membrane

@@ -255,8 +255,10 @@ void Foam::reportScales(const clumpSuspension& cloud)
     Pair<scalar> densities(GREAT, 0);
     for (const clumpType& ct : cloud.types())
     {
-        least = min(least, 2*ct.reach());
-        most = max(most, 2*ct.reach());
+        // The nodes of a surface have no size
+        const scalar size = 2*(ct.ofSpheres() ? ct.reach() : max(mag(ct.centres())));
+        least = min(least, size);
+        most = max(most, size);
         const scalar density = ct.mass()/ct.volume();
         densities.first() = min(densities.first(), density);
         densities.second() = max(densities.second(), density);

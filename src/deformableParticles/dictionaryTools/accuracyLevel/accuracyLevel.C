@@ -97,6 +97,10 @@ void Foam::accuracyLevel::print
     {
         return;
     }
+    if (cellsPerDiameter >= GREAT)
+    {
+        return;     // there are no clumps yet
+    }
     const label n = dict_.get<label>("spheresPerClump");
     const scalar cells = dict_.get<scalar>("cellsPerDiameter");
 

@@ -167,12 +167,14 @@ void writeLists(const Cloud<clumpParcel>& c, const word& name, const Getter& get
 }
 
 
-const Foam::clumpFields::vectorFile Foam::clumpFields::vectorFiles_[4] =
+const Foam::clumpFields::vectorFile Foam::clumpFields::vectorFiles_[6] =
 {
-    {"offset", &clumpParcel::offset_},
-    {"sinceMet", &clumpParcel::sinceMet_},
-    {"acceleration", &clumpParcel::acceleration_},
-    {"accelerationBefore", &clumpParcel::accelerationBefore_}
+    {"offset", &clumpParcel::offset_, false},
+    {"sinceMet", &clumpParcel::sinceMet_, false},
+    {"acceleration", &clumpParcel::acceleration_, false},
+    {"accelerationBefore", &clumpParcel::accelerationBefore_, false},
+    {"surfaceForce", &clumpParcel::surfaceForce_, true},
+    {"surfaceTorque", &clumpParcel::surfaceTorque_, true}
 };
 
 
@@ -347,9 +349,24 @@ void Foam::clumpFields::read
     particle::readFields(c);
 
     readTypes(c, types, written);
+    bool ofEarlierVersion = false;
     for (const vectorFile& file : vectorFiles_)
     {
-        const vectorField values(readValues<vector>(c, file.name));
+        const IOField<vector> values
+        (
+            fieldObject
+            (
+                c, file.name,
+                file.mayBeAbsent ? IOobject::READ_IF_PRESENT : IOobject::MUST_READ
+            ),
+            c.size() > 0
+        );
+        if (file.mayBeAbsent && values.empty())
+        {
+            ofEarlierVersion = true;
+            continue;
+        }
+        checkNumber(c, values, values.size());
         i = 0;
         for (clumpParcel& p : c)
         {
@@ -387,6 +404,20 @@ void Foam::clumpFields::read
         c, "hydrodynamicTorques",
         [](clumpParcel& p) -> vectorField& { return p.fluidTorques_; }
     );
+    if (ofEarlierVersion)
+    {
+        // There is nothing better: with the inertia of the fluid inside
+        for (clumpParcel& p : c)
+        {
+            const point centre(p.state_.centre(types[p.typeId_]));
+            p.surfaceForce_ = sum(p.fluidForces_);
+            p.surfaceTorque_ = sum(p.fluidTorques_);
+            forAll(p.fluidForces_, k)
+            {
+                p.surfaceTorque_ += (p.state_.x[k] - centre) ^ p.fluidForces_[k];
+            }
+        }
+    }
     readLists<scalar>
     (
         c, "brokenBonds",

@@ -132,7 +132,7 @@ def foreign(file_lines):
             above = names
             names = [name.strip() for name in line.lstrip("# ").split("\t")]
             names = ["time" if name == "Time" else name for name in names]
-            if names == ["time"] and above[0].startswith("Probe "):
+            if names == ["time"] and above and above[0].startswith("Probe "):
                 names += [f"Probe {number}" for number in above[0].split()[1:]]
             continue
         row = {}

@@ -13,6 +13,7 @@
 #include "points0MotionSolver.H"
 #include "solidBodyMotionSolver.H"
 #include "unsolvedPhysics.H"
+#include "wallDisplacement.H"
 #include "wallPolyPatch.H"
 
 namespace
@@ -22,18 +23,6 @@ using namespace Foam;
 
 //- Part of its radius by which a wall that moves may be pressed into a sphere
 constexpr scalar deepest = 0.5;
-
-//- Largest velocity of the points of a patch on this processor [m/s]
-scalar speedOfPoints(const polyPatch& patch)
-{
-    const polyMesh& mesh = patch.boundaryMesh().mesh();
-    scalar way = 0;
-    for (const label pointi : patch.meshPoints())
-    {
-        way = max(way, mag(mesh.points()[pointi] - mesh.oldPoints()[pointi]));
-    }
-    return way/mesh.time().deltaTValue();
-}
 
 //- fvMesh inherits several functions type()
 const word& polyMeshType(const polyMesh& mesh)
@@ -167,7 +156,7 @@ void Foam::meshMotion::checkFluxes() const
         const scalarField flux(patch.Sf() & Up);
         const scalarField& motion = swept.boundaryField()[patchi];
         // A wall that turns, or along which points slide, sweeps nothing but rounding
-        const scalar speed = speedOfPoints(patch.patch());
+        const scalar speed = wayOfPoints(patch.patch())/mesh_.time().deltaTValue();
         const scalarField size
         (
             max(mag(motion), patch.magSf()*max(mag(Up), speed))

@@ -10,18 +10,24 @@
 #include "wallContacts.H"
 #include "wallPolyPatch.H"
 
-bool Foam::pointsMove(const polyPatch& patch)
+Foam::scalar Foam::wayOfPoints(const polyPatch& patch)
 {
     const polyMesh& mesh = patch.boundaryMesh().mesh();
-    bool move = false;
+    scalar way = 0;
     if (mesh.moving())
     {
         for (const label pointi : patch.meshPoints())
         {
-            move = move || mesh.points()[pointi] != mesh.oldPoints()[pointi];
+            way = max(way, mag(mesh.points()[pointi] - mesh.oldPoints()[pointi]));
         }
     }
-    return returnReduce(move, orOp<bool>());
+    return returnReduce(way, maxOp<scalar>());
+}
+
+
+bool Foam::pointsMove(const polyPatch& patch)
+{
+    return wayOfPoints(patch) > 0;
 }
 
 
@@ -29,27 +35,22 @@ bool Foam::pointsSlide(const polyPatch& patch)
 {
     const polyMesh& mesh = patch.boundaryMesh().mesh();
     const auto* U = mesh.findObject<volVectorField>("U");
+    const scalar way = wayOfPoints(patch);
     if
     (
-        !U || !pointsMove(patch)
+        !U || way == 0
      || isA<movingWallVelocityFvPatchVectorField>(U->boundaryField()[patch.index()])
     )
     {
         return false;
     }
     scalar swept = 0;
-    scalar way = 0;
     for (const face& f : patch)
     {
         const scalar volume = mag(f.sweptVol(mesh.oldPoints(), mesh.points()));
         swept = max(swept, volume/f.mag(mesh.points()));
-        for (const label pointi : f)
-        {
-            way = max(way, mag(mesh.points()[pointi] - mesh.oldPoints()[pointi]));
-        }
     }
-    return
-        returnReduce(swept, maxOp<scalar>()) < 1e-6*returnReduce(way, maxOp<scalar>());
+    return returnReduce(swept, maxOp<scalar>()) < 1e-6*way;
 }
 
 

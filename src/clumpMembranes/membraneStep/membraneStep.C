@@ -5,6 +5,7 @@
 
 #include "membraneFactors.H"
 #include "membraneStep.H"
+#include "unresolvedFlow.H"
 #include "mathematicalConstants.H"
 
 namespace
@@ -154,6 +155,28 @@ Foam::vectorField Foam::membraneStep::weight
 }
 
 
+Foam::vectorField Foam::membraneStep::unsmeared
+(
+    const clumpParcel& p,
+    const vectorField& n,
+    const scalarField& smeared,
+    const scalar dt,
+    const scalar mu
+) const
+{
+    const nodeFlow& flow = nodesOf(p);
+    const vectorField& F = flow.force;
+    vectorField u(flow.u + smeared*(F - n*(n & F)));
+    if (flow.unresolved > 0)
+    {
+        const unresolvedFlow addition(flow.unresolved);
+        const pointField x(p.state().x + dt*p.step().imposedU);
+        u += flow.withoutFlux(addition(x, F, n, flow.areas, surface().nNodes())/mu);
+    }
+    return u;
+}
+
+
 Foam::symmTensorField Foam::membraneStep::resistances
 (
     const nodeFlow& flow,
@@ -280,16 +303,13 @@ void Foam::membraneStep::advance
 
     const scalarField smeared(flow.smoothing/(2*harmonic*flow.areas));
     const vectorField n(flow.normals());
-    const vectorField unsmeared
-    (
-        flow.u + smeared*(flow.force - n*(n & flow.force))
-    );
     const scalar d = surface().edgeLength(s.x);
     const problem step
     {
         n,
         s.x,
-        start.from + start.duration*unsmeared,
+        start.from
+      + start.duration*unsmeared(p, n, smeared, dt, 0.5*(1 + ratio)*mu),
         flow.force,
         resistances(flow, n, smeared, resisting)/start.duration,
         8*resisting*d/Foam::sqrt(scalar(3))/start.duration,

@@ -217,6 +217,7 @@ void Foam::membranes::immerse
                 nodes.smoothing[i] *=
                     kernel.meanDistance(normalised(nodes.areaVectors[i]));
             }
+            nodes.unresolved = isFilled(typei) ? surfaces_->variance(image) : 0;
             if (ratio != 1)
             {
                 nodes.layer = mu*kernel.deficit(ratio)*widths;
@@ -480,8 +481,14 @@ void Foam::membranes::sharpen
                 nodes.u[i] -= kernel.correlation(n[i])*widths[i]*kink[i];
             }
         }
+        scalar mobility = 0.5*(1 + 1/ratio);
+        if (nodes.unresolved > 0)
+        {
+            // unresolvedFlow has what remains in a fluid of the mean viscosity
+            mobility -= 0.4*(3 + 2*ratio)/(ratio*(1 + ratio));
+        }
         const vectorField& F = nodes.force;
-        kink -= 0.5*(1 + 1/ratio)/mu*(F - n*(n & F))/nodes.areas;
+        kink -= mobility/mu*(F - n*(n & F))/nodes.areas;
         nodes.u +=
             ratio/(3 + 2*ratio)*surfaces_->variances(image, nodes.areaVectors)
            *type.surface().divergence(image.x, kink)*n;

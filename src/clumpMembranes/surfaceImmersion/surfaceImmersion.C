@@ -178,6 +178,17 @@ Foam::scalarField Foam::surfaceImmersion::widths
 }
 
 
+Foam::scalar Foam::surfaceImmersion::variance(const clumpImage& image)
+{
+    scalar sum = 0;
+    forAll(image.x, i)
+    {
+        sum += tr(image.moments.covariance(i))/3;
+    }
+    return sum/image.x.size();
+}
+
+
 Foam::scalarField Foam::surfaceImmersion::variances
 (
     const clumpImage& image,

@@ -84,13 +84,13 @@ void Foam::membranes::read(const label typei, const dictionary& dict)
         }
     }
 
-    // The last two are those of membraneMechanics and surfaceImmersion
+    // The last three are those of membraneMechanics and surfaceImmersion
     checkEntries
     (
         dict,
         {
             "shape", "density", "motion", "nominalVolume", "scale", "classOf",
-            "share", "viscosityRatio", "membrane", "kernel"
+            "share", "viscosityRatio", "membrane", "kernel", "unresolvedFlow"
         }
     );
     if (types_[typei].fixed())
@@ -101,6 +101,18 @@ void Foam::membranes::read(const label typei, const dictionary& dict)
     }
     steps_.setSize(types_.size());
     steps_.set(typei, new membraneStep(types_[typei], dict, contacts_));
+    if (dict.getOrDefault<Switch>("unresolvedFlow", false))
+    {
+        const clumpType& type = types_[typei];
+        if (type.size() == type.surface().nNodes())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'unresolvedFlow' is for a solid, of the shape 'filled': waves that"
+                << " the mesh does not resolve would buckle a membrane. Remove it."
+                << exit(FatalIOError);
+        }
+        completed_.insert(typei);
+    }
     unchecked_.insert(typei);
     if (!steps_[typei].mechanics().bends())
     {
@@ -217,7 +229,7 @@ void Foam::membranes::immerse
                 nodes.smoothing[i] *=
                     kernel.meanDistance(normalised(nodes.areaVectors[i]));
             }
-            nodes.unresolved = isFilled(typei) ? surfaces_->variance(image) : 0;
+            nodes.unresolved = completed_.found(typei) ? surfaces_->variance(image) : 0;
             if (ratio != 1)
             {
                 nodes.layer = mu*kernel.deficit(ratio)*widths;
